@@ -1,0 +1,37 @@
+/// A case: one design, ready to simulate.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "parapet/designs/error.hpp"
+#include "parapet/solver/simulation.hpp"
+
+namespace parapet::designs {
+
+using Json = nlohmann::ordered_json;
+
+/// A parsed case file. `resolved` is the same case as JSON with every default written out: reading
+/// it again gives the same case to the bit.
+struct CaseSpec {
+  std::string name;
+  std::string description;
+  solver::Scene scene;
+  solver::Numerics numerics;
+  solver::RunOptions run;  ///< threads stay 1; the caller decides
+  Json resolved;
+};
+
+/// Reads and checks a case. `file` only names the source in messages.
+/// @throws InputError with every issue found.
+CaseSpec parse_case(const Json& json, const std::string& file);
+
+/// Reads a JSON file (syntax errors name line and column).
+/// @throws InputError
+Json read_json(const std::filesystem::path& file);
+
+/// The same with the file read from disk.
+CaseSpec load_case(const std::filesystem::path& file);
+
+}  // namespace parapet::designs

@@ -1,0 +1,92 @@
+/// What a simulation returns: a status, metrics, time series and an account of the mass.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace parapet::solver {
+
+/// A failed run is data, not an exception.
+enum class Status { ok, failed, cancelled };
+
+/// Why a run ended.
+enum class StopReason {
+  end_time,       ///< the stop time was reached
+  settled,        ///< retention and kinetic energy no longer change
+  drained,        ///< no fluid is left in the domain
+  not_a_number,   ///< a particle's state became NaN or infinite
+  runaway_speed,  ///< a speed above what the sound speed allows
+  density_range,  ///< a density too far from rho_0
+  time_step_collapse,
+  viscous_solver, ///< the conjugate gradients did not converge
+  cancelled
+};
+
+std::string_view to_string(Status status);
+std::string_view to_string(StopReason reason);
+
+/// One scalar answer. Keys carry their unit as a suffix; a value that does not exist (the launch
+/// length when nothing overflows) is absent, with the reason.
+struct Metric {
+  std::string key;
+  std::optional<double> value;
+  std::string absent_reason;  ///< empty when there is a value
+};
+
+/// What a metric means, for docs, checks and reports.
+struct MetricInfo {
+  std::string key;
+  std::string definition;  ///< one sentence
+  bool may_be_absent = false;
+};
+
+/// Every metric of a scene with this many barriers, in the order in which results list them.
+/// Barrier metrics are keyed barrier_K_..., K counted from 1 upstream.
+std::vector<MetricInfo> metric_catalog(int n_barriers);
+
+/// Time series sampled at the chosen interval: a table, one column per quantity.
+struct Series {
+  std::vector<std::string> columns;         ///< first is time_s; each key carries its unit
+  std::vector<std::vector<double>> rows;    ///< [n_samples][n_columns]; NaN where not defined
+};
+
+/// Where the released mass is, per metre width [kg/m].
+struct MassBalance {
+  double released = 0.0;
+  double in_domain = 0.0;
+  double left_domain = 0.0;       ///< through the outlet or over the top
+  std::int64_t particles_released = 0;
+  std::int64_t particles_left = 0;
+};
+
+/// What the run cost and how the numerics behaved.
+struct RunStatistics {
+  std::int64_t steps = 0;
+  std::int64_t neighbor_builds = 0;
+  std::int64_t cg_iterations = 0;
+  std::int64_t wall_contacts = 0;      ///< particles stopped at a wall by the contact rule
+  std::int64_t max_particles_inside_walls = 0;  ///< over all samples; 0 in a sound run
+  double mean_time_step = 0.0;         ///< [s]
+  double max_speed = 0.0;              ///< [m/s]
+  double max_density_error = 0.0;      ///< max |rho/rho_0 - 1|
+  double wall_time = 0.0;              ///< [s]; the only field that may differ between repeats
+};
+
+struct Result {
+  Status status = Status::ok;
+  StopReason stop_reason = StopReason::end_time;
+  std::string reason;      ///< a sentence when the status is not ok
+  double stop_time = 0.0;  ///< simulated [s]
+  std::vector<Metric> metrics;
+  Series series;
+  MassBalance mass;
+  RunStatistics statistics;
+
+  /// The metric of that key, or nullptr.
+  const Metric* find_metric(std::string_view key) const;
+};
+
+}  // namespace parapet::solver

@@ -1,0 +1,68 @@
+/// Runs one design: the only door into the solver that the rest of Parapet needs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "parapet/solver/numerics.hpp"
+#include "parapet/solver/result.hpp"
+#include "parapet/solver/scene.hpp"
+
+namespace parapet::solver {
+
+/// Stop early once nothing that is reported can change any more.
+struct SettledRule {
+  bool enabled = true;
+  double window = 0.25;               ///< both rules must hold this long [s]
+  double retention_change = 0.002;    ///< largest change of any barrier's retention in the window
+  double kinetic_energy_share = 1e-3; ///< kinetic energy in the domain, share of the largest seen
+  double earliest_time = 1.5;         ///< never before this time [s]
+};
+
+/// How long, how often sampled, on how many threads.
+struct RunOptions {
+  double stop_time = 6.0;          ///< [s]
+  double series_interval = 0.005;  ///< [s]
+  double frame_interval = 0.0;     ///< [s]; 0 for no frames
+  int threads = 1;                 ///< the answer does not depend on it
+  SettledRule settled;
+};
+
+/// One picture of the particles, valid during the callback. Arrays are [n_fluid] and [n_wall].
+struct Frame {
+  double time = 0.0;  ///< [s]
+  std::span<const double> x, z;              ///< position [m]
+  std::span<const double> u, w;              ///< velocity [m/s]
+  std::span<const double> density;           ///< [kg/m3]
+  std::span<const double> pressure;          ///< [Pa]
+  std::span<const double> viscosity;         ///< apparent [Pa s]
+  std::span<const std::int32_t> id;          ///< of the particle at release
+  std::span<const double> wall_x, wall_z;    ///< wall points [m]
+};
+
+/// How far a run is.
+struct Progress {
+  double time = 0.0;       ///< simulated [s]
+  double stop_time = 0.0;  ///< [s]; a settled run ends before it
+  std::int64_t steps = 0;
+};
+
+/// Optional hooks; all are called from the calling thread, between time steps.
+struct Callbacks {
+  std::function<bool(const Progress&)> on_progress;  ///< return false to cancel the run
+  std::function<void(const Frame&)> on_frame;
+};
+
+/// Simulates a scene.
+/// Bitwise the same result for any number of threads. Any number of simulations may run side by
+/// side in one process.
+/// @throws std::invalid_argument when scene_errors, numerics_errors or run_errors is not empty.
+/// A run that goes wrong does not throw: the result says Status::failed with its reason.
+Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& options,
+                const Callbacks& callbacks = {});
+
+/// Everything wrong with the options, one sentence each.
+std::vector<std::string> run_errors(const RunOptions& options);
+
+}  // namespace parapet::solver

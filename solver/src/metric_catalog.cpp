@@ -1,0 +1,103 @@
+#include <array>
+
+#include "parapet/solver/result.hpp"
+
+namespace parapet::solver {
+namespace {
+
+struct Entry {
+  const char* key;
+  const char* definition;
+  bool may_be_absent;
+};
+
+constexpr std::array channel_entries{
+    Entry{"front_velocity_m_s",
+          "speed of the flow's front over the 0.1 m before the gauge (the first barrier's foot, or "
+          "the monitored place of an open channel); the front has 0.5 % of the released mass ahead",
+          true},
+    Entry{"arrival_time_s", "time at which that front reaches the gauge", true},
+    Entry{"flow_depth_max_m",
+          "largest mean depth (mass over density and length) in the 40 mm upstream of the gauge "
+          "until overflow begins, or over the whole run in an open channel",
+          true},
+    Entry{"flow_depth_max_time_s", "time of flow_depth_max_m", true},
+    Entry{"froude_number",
+          "front_velocity_m_s over the square root of g cos(slope) flow depth, for an open channel",
+          true},
+    Entry{"kinetic_energy_peak_j_per_m",
+          "largest kinetic energy in the window 0.05 m either side of the gauge (Eq. 16)", true},
+    Entry{"kinetic_energy_peak_time_s", "time of that peak, the end of the cumulative phase", true},
+    Entry{"kinetic_energy_minimum_j_per_m",
+          "smallest kinetic energy in the window between the peak and the plateau, the depth of "
+          "the interaction phase",
+          true},
+    Entry{"kinetic_energy_plateau_time_s",
+          "time after which the window's kinetic energy stays below 5 % of its peak", true},
+};
+
+constexpr std::array overflow_entries{
+    Entry{"launch_length_m",
+          "distance along the bed from the first barrier's foot to the place where the coherent "
+          "overflow (the first 1 % of the released mass to land) touches down, mass median",
+          true},
+    Entry{"impact_x_m", "the same place, counted from the reservoir's back wall", true},
+    Entry{"impact_time_s", "time at which 0.5 % of the released mass has landed", true},
+    Entry{"landing_speed_m_s", "mean speed of that mass when 20 mm above the bed", true},
+    Entry{"launch_angle_deg",
+          "direction of the momentum of the mass that crosses the first barrier's line until the "
+          "impact, against the world's horizontal",
+          true},
+    Entry{"launch_speed_m_s", "mean speed of that mass at the crossing", true},
+    Entry{"ballistic_launch_length_m",
+          "hand formula (Ng et al. 2023) for a launch from the crossing's mean height, speed and "
+          "angle, a cross-check of launch_length_m",
+          true},
+    Entry{"dead_zone_length_m",
+          "length along the bed, from the first barrier's foot upstream, of unbroken material "
+          "slower than 0.1 m/s in the lowest 20 mm, when the overflow lands (or at the end)",
+          true},
+    Entry{"dead_zone_ratio", "dead_zone_length_m over the deflector's length (D_F)", true},
+    Entry{"overflow_volume_m3_per_m", "volume that has crossed the first barrier's line", false},
+    Entry{"peak_overflow_discharge_m2_s", "largest discharge over that line, 20 ms mean", false},
+};
+
+constexpr std::array barrier_entries{
+    Entry{"retention_efficiency",
+          "mass upstream of this barrier's line over the mass released (Eq. 17), at the end", false},
+    Entry{"arrival_time_s", "time at which 0.5 % of the released mass is within 20 mm of its line",
+          true},
+    Entry{"peak_force_n_per_m", "largest force on the barrier, 5 ms mean", false},
+    Entry{"peak_force_time_s", "time of that force", true},
+    Entry{"peak_moment_nm_per_m",
+          "largest overturning moment about the foot (positive downstream), 5 ms mean", false},
+    Entry{"run_up_height_m",
+          "largest height above the bed of material within 40 mm upstream of the line, above which "
+          "0.1 % of the released mass lies",
+          true},
+    Entry{"overtopping_volume_m3_per_m", "volume downstream of its line at the end", false},
+};
+
+}  // namespace
+
+std::vector<MetricInfo> metric_catalog(int n_barriers) {
+  std::vector<MetricInfo> catalog;
+  const auto add = [&](const std::string& prefix, const Entry& entry) {
+    catalog.push_back({prefix + entry.key, entry.definition, entry.may_be_absent});
+  };
+  if (n_barriers > 0) {
+    add("", {"retention_efficiency",
+             "mass upstream of the first barrier's line over the mass released (Eq. 17), at the end",
+             false});
+    add("", {"retention_efficiency_total",
+             "mass upstream of the last barrier's line over the mass released, at the end", false});
+    for (const Entry& entry : overflow_entries) add("", entry);
+  }
+  for (const Entry& entry : channel_entries) add("", entry);
+  for (int k = 1; k <= n_barriers; ++k) {
+    for (const Entry& entry : barrier_entries) add("barrier_" + std::to_string(k) + "_", entry);
+  }
+  return catalog;
+}
+
+}  // namespace parapet::solver
