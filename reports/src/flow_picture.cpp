@@ -39,6 +39,7 @@ struct Layout {
 int choose_columns(int asked, int panels, double aspect) {
   if (asked > 0) return std::min(asked, panels);
   if (aspect > 2.6) return 1;  // long and flat: one below the other
+  if (panels <= 3) return panels;
   return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(panels)) - 1e-9));
 }
 
@@ -100,11 +101,9 @@ void draw_color_bar(Canvas& canvas, const Layout& layout, double limit, bool ope
     bar.height -= tip;
   }
   constexpr int shades = 200;
-  for (int k = 0; k < shades; ++k) {
-    const double y = bar.bottom() - bar.height * (k + 1) / shades;
-    // Each shade reaches under the next one so that no seam shows between them.
-    const double overlap = k == 0 ? 0.0 : 1.0;
-    canvas.fill_box({bar.left, y, bar.width, bar.height / shades + overlap},
+  for (int k = shades - 1; k >= 0; --k) {  // each down to the foot, so that no seam shows
+    const double height = bar.height * (k + 1) / shades;
+    canvas.fill_box({bar.left, bar.bottom() - height, bar.width, height},
                     viridis((k + 0.5) / shades));
   }
   const Pen pen{frame_color, 0.06 * layout.font, {}};
@@ -150,8 +149,16 @@ void draw_panel_axes(Canvas& canvas, const Layout& layout, const FlowView& view,
   }
 }
 
-void draw_time(Canvas& canvas, const Layout& layout, const PixelBox& box, double time) {
-  const std::string label = fmt::format("t = {:.3f} s", time);
+/// Decimals with which every time shows to a millisecond.
+int time_decimals(const std::vector<FlowSnapshot>& snapshots) {
+  const bool hundredths = std::ranges::all_of(snapshots, [](const FlowSnapshot& snapshot) {
+    return std::abs(100.0 * snapshot.time - std::round(100.0 * snapshot.time)) < 0.05;
+  });
+  return hundredths ? 2 : 3;
+}
+
+void draw_time(Canvas& canvas, const Layout& layout, const PixelBox& box,
+               const std::string& label) {
   const TextStyle style{layout.font, ink, true, AlignX::right, AlignY::top, 0.0};
   const double pad = 0.5 * layout.font;
   const double width = canvas.text_width(label, style);
@@ -206,22 +213,23 @@ void draw_flow(const std::filesystem::path& path, const solver::Scene& scene, do
                const std::vector<FlowSnapshot>& snapshots, const FlowPictureOptions& options) {
   check(snapshots);
   const Turn turn(scene, options.axes);
-  const Region region =
-      visible_region(scene, turn, bed_range(scene, snapshots, options), snapshots);
+  const BedRange bed = bed_range(scene, snapshots, options);
+  const Region region = visible_region(scene, turn, bed, snapshots);
   const int panels = static_cast<int>(snapshots.size());
   const Layout layout = plan(region, panels, options);
   const double limit = speed_limit(snapshots, options);
+  const int decimals = time_decimals(snapshots);
 
   Canvas canvas(path, layout.width, layout.height);
   for (int k = 0; k < panels; ++k) {
     const FlowSnapshot& snapshot = snapshots[static_cast<std::size_t>(k)];
-    const FlowView view{&scene, turn, region, layout.panel(k)};
+    const FlowView view{&scene, turn, bed, region, layout.panel(k)};
     canvas.clip(view.box);
     draw_scene(canvas, view, layout.font, options.axes == PictureAxes::world);
     draw_particles(canvas, view, snapshot, spacing, limit);
     canvas.unclip();
     draw_panel_axes(canvas, layout, view, {k % layout.columns == 0, k + layout.columns >= panels});
-    draw_time(canvas, layout, view.box, snapshot.time);
+    draw_time(canvas, layout, view.box, fmt::format("t = {:.{}f} s", snapshot.time, decimals));
   }
   draw_color_bar(canvas, layout, limit, fastest(snapshots) > 1.001 * limit);
   draw_labels(canvas, layout, options);

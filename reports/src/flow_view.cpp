@@ -50,8 +50,7 @@ void draw_bed_labels(Canvas& canvas, const FlowView& view, double font) {
   const double angle = std::atan2(end.y - start.y, end.x - start.x);
   const double tick = 0.4 * font / view.scale();
   const TextStyle style{0.8 * font, faint_ink, false, AlignX::center, AlignY::top, angle};
-  const double length = std::hypot(view.region.width(), view.region.height());
-  const Ticks ticks = nice_ticks(0.0, length, 5);
+  const Ticks ticks = nice_ticks(view.bed.from, view.bed.to, 5);
   for (std::size_t k = 0; k < ticks.values.size(); ++k) {
     const double x = ticks.values[k];
     const Pixel foot = view.at({x, -2.2 * tick});

@@ -44,6 +44,7 @@ Region visible_region(const solver::Scene& scene, const Turn& turn, const BedRan
 struct FlowView {
   const solver::Scene* scene;
   Turn turn;
+  BedRange bed;
   Region region;
   PixelBox box;
 

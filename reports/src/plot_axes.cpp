@@ -17,8 +17,11 @@ Ticks nice_ticks(double lower, double upper, int wanted) {
                         : mantissa < 3.162 ? 2.0
                         : mantissa < 7.071 ? 5.0
                                            : 10.0);
-  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(ticks.step) + 1e-9)));
-  const bool scientific = decimals > 4 || std::max(std::abs(lower), std::abs(upper)) >= 1e6;
+  const int exponent = static_cast<int>(std::floor(std::log10(ticks.step) + 1e-9));
+  const double largest = std::max(std::abs(lower), std::abs(upper));
+  const int magnitude = static_cast<int>(std::floor(std::log10(largest) + 1e-9));
+  const bool scientific = exponent < -4 || magnitude >= 6;
+  const int decimals = std::max(0, scientific ? magnitude - exponent : -exponent);
   const double slack = 1e-9 * ticks.step;
   const auto first = static_cast<long long>(std::ceil((lower - slack) / ticks.step));
   const auto last = static_cast<long long>(std::floor((upper + slack) / ticks.step));
@@ -26,7 +29,9 @@ Ticks nice_ticks(double lower, double upper, int wanted) {
     const double value = static_cast<double>(k) * ticks.step;
     ticks.values.push_back(value);
     std::string label =
-        scientific ? fmt::format("{:.4g}", value) : fmt::format("{:.{}f}", value, decimals);
+        scientific && value != 0.0
+            ? fmt::format("{:.{}f}e{}", value / std::pow(10.0, magnitude), decimals, magnitude)
+            : fmt::format("{:.{}f}", value, scientific ? 0 : decimals);
     if (label.front() == '-') label.replace(0, 1, "\u2212");
     ticks.labels.push_back(std::move(label));
   }

@@ -25,6 +25,9 @@ struct SweepRowResult {
   std::int64_t steps = 0;
   double wall_time = 0.0;   ///< [s]
   designs::Json published;  ///< as in designs::SweepRow; null when nothing
+
+  /// The metric's value; empty when it is unknown or absent.
+  std::optional<double> metric(const std::string& key) const;
 };
 
 SweepRowResult make_sweep_row_result(const designs::SweepRow& row, const solver::Result& result);

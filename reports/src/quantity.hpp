@@ -1,0 +1,23 @@
+/// Words for the keys of metrics and variables, whose suffix is their unit.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace parapet::reports {
+
+struct Quantity {
+  std::string words;  ///< "launch length"
+  std::string unit;   ///< "m"; "-" for a pure number
+};
+
+/// Splits "launch_length_m" into its words and its unit.
+Quantity quantity(const std::string& key);
+
+/// "launch length [m]"; without brackets for a pure number.
+std::string quantity_label(const std::string& key);
+
+/// Four significant digits, never 1e+03 for a thousand; "-" when there is no value.
+std::string number_text(const std::optional<double>& value);
+
+}  // namespace parapet::reports
