@@ -1,0 +1,37 @@
+# What `cmake --install` puts where, and the CMake package that find_package(parapet) finds.
+#
+# Each library is a component with an export set of its own, so that a consumer of the solver alone
+# needs OpenMP and nothing else. parapet_build_settings stays at home: libraries link it through
+# BUILD_INTERFACE, and tests/install checks that no warning flag reaches a consumer.
+
+include(CMakePackageConfigHelpers)
+
+set(parapet_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/parapet)
+set(parapet_components "")
+foreach(component solver designs optimizer reports study)
+  if(NOT TARGET parapet_${component})
+    continue()
+  endif()
+  list(APPEND parapet_components ${component})
+  get_target_property(source_dir parapet_${component} SOURCE_DIR)
+  install(TARGETS parapet_${component} EXPORT parapet_${component}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${source_dir}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    FILES_MATCHING PATTERN "*.hpp")
+  install(EXPORT parapet_${component} FILE parapet-${component}-targets.cmake
+    NAMESPACE parapet:: DESTINATION ${parapet_package_dir})
+endforeach()
+
+configure_package_config_file(cmake/parapet-config.cmake.in
+  ${CMAKE_CURRENT_BINARY_DIR}/parapet-config.cmake
+  INSTALL_DESTINATION ${parapet_package_dir})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/parapet-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/parapet-config.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/parapet-config-version.cmake
+  DESTINATION ${parapet_package_dir})
+
+if(TARGET parapet)
+  install(TARGETS parapet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

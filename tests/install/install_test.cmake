@@ -1,0 +1,37 @@
+# Proves that an installed Parapet can be used by others: the package is found after its prefix
+# has moved, no build setting leaks, a program on the solver alone runs, a program on all
+# libraries links, and the installed program starts.
+cmake_minimum_required(VERSION 3.25)
+
+# Runs a command; its output is shown only when it fails.
+function(run_or_fail what)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${what} failed (${status}):\n${out}")
+  endif()
+  message(STATUS "${what}: done")
+  set(output "${out}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${work_dir})
+file(MAKE_DIRECTORY ${work_dir})
+run_or_fail("install" ${CMAKE_COMMAND} --install ${build_dir} --config ${config}
+  --prefix ${work_dir}/first)
+# No path of the first prefix may be left in the package.
+file(RENAME ${work_dir}/first ${work_dir}/prefix)
+
+set(flags "")
+if(sanitize)
+  set(flags -DCMAKE_CXX_FLAGS=-fsanitize=${sanitize})
+endif()
+run_or_fail("configure the consumer" ${CMAKE_COMMAND}
+  -S ${consumer_dir} -B ${work_dir}/consumer -G ${generator}
+  -DCMAKE_MAKE_PROGRAM=${make_program} -DCMAKE_CXX_COMPILER=${compiler}
+  -DCMAKE_BUILD_TYPE=${config} -DCMAKE_PREFIX_PATH=${work_dir}/prefix ${flags})
+run_or_fail("build the consumer" ${CMAKE_COMMAND} --build ${work_dir}/consumer --config ${config})
+
+run_or_fail("simulate with parapet::solver" ${work_dir}/consumer/bin/simulate_once)
+message(STATUS "${output}")
+run_or_fail("use every library" ${work_dir}/consumer/bin/use_all)
+message(STATUS "${output}")
+run_or_fail("start the installed program" ${work_dir}/prefix/bin/parapet --help)
