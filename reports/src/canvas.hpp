@@ -65,7 +65,7 @@ class Canvas {
   void unclip();
 
   /// Writes the file in one step: it is either complete or not there.
-  /// @throws std::runtime_error naming the file that cannot be written.
+  /// @throws FileError naming the file that cannot be written.
   void save();
 
  private:

@@ -63,4 +63,11 @@ std::string number_text(const std::optional<double>& value) {
   return fmt::format("{:.4g}", *value);
 }
 
+std::string with_unit(const std::optional<double>& value, const std::string& key) {
+  const std::string unit = quantity(key).unit;
+  const std::string number = number_text(value);
+  if (unit == "-" || number == "-") return number;
+  return fmt::format("{}{}{}", number, unit == "°" ? "" : " ", unit);
+}
+
 }  // namespace parapet::reports

@@ -20,4 +20,7 @@ std::string quantity_label(const std::string& key);
 /// Four significant digits, never 1e+03 for a thousand; "-" when there is no value.
 std::string number_text(const std::optional<double>& value);
 
+/// A number with the unit of its key: "0.25 m", "45°".
+std::string with_unit(const std::optional<double>& value, const std::string& key);
+
 }  // namespace parapet::reports

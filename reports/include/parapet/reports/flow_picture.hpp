@@ -40,7 +40,7 @@ struct FlowPictureOptions {
 /// @param path ends in .png or .svg, which decides the format.
 /// @param spacing particle spacing dx [m]
 /// @throws std::invalid_argument for no snapshots, arrays of unequal length, or another ending.
-/// @throws std::runtime_error when the file cannot be written.
+/// @throws FileError when the file cannot be written.
 void draw_flow(const std::filesystem::path& path, const solver::Scene& scene, double spacing,
                const std::vector<FlowSnapshot>& snapshots, const FlowPictureOptions& options = {});
 

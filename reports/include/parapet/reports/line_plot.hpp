@@ -39,7 +39,7 @@ struct LinePlot {
 /// @param path ends in .png or .svg, which decides the format.
 /// @throws std::invalid_argument when there is nothing finite to draw, arrays differ in length, or
 ///         for another ending.
-/// @throws std::runtime_error when the file cannot be written.
+/// @throws FileError when the file cannot be written.
 void draw_line_plot(const std::filesystem::path& path, const LinePlot& plot);
 
 }  // namespace parapet::reports

@@ -21,12 +21,12 @@ class FrameWriter {
  public:
   /// Creates the folder. Frames of an earlier run with the same case name are written over.
   /// @throws std::invalid_argument when the case name is empty.
-  /// @throws std::filesystem::filesystem_error when the folder cannot be made.
+  /// @throws FileError when the folder cannot be made.
   FrameWriter(std::filesystem::path directory, const std::string& case_name);
 
   /// Writes one frame and brings the collection up to date. Usable as Callbacks::on_frame.
   /// @throws std::invalid_argument when the frame's arrays [n_fluid] differ in length.
-  /// @throws std::runtime_error naming the file that cannot be written.
+  /// @throws FileError naming the file that cannot be written.
   void add(const solver::Frame& frame);
 
   std::size_t count() const { return times_.size(); }

@@ -1,0 +1,34 @@
+/// Pieces of Markdown made from JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parapet/designs/study_spec.hpp"
+
+namespace parapet::reports {
+
+/// The number; empty for anything else.
+std::optional<double> value_of(const designs::Json& json);
+
+/// The text; empty for anything else.
+std::string text_of(const designs::Json& json);
+
+/// "+0.1", "-0.1", or "-" when there is no number.
+std::string signed_text(const designs::Json& value);
+
+/// "+12.0 %", or "-" when there is no number.
+std::string percent_text(const designs::Json& value);
+
+/// Text that cannot break a table's cell.
+std::string cell_text(const std::string& text);
+
+/// A table; the first row is the heading.
+/// @param alignment one of l and r per column
+std::string table(const std::vector<std::vector<std::string>>& rows, const std::string& alignment);
+
+/// "a, b and c".
+std::string joined(const std::vector<std::string>& parts);
+
+}  // namespace parapet::reports
