@@ -55,6 +55,7 @@ class EvaluationLedger {
   int evaluations() const { return static_cast<int>(history_.size()); }
   int remaining() const { return options_.max_evaluations - evaluations(); }
   int cache_hits() const { return cache_hits_; }
+  int failures() const { return evaluations() - n_success_; }
   int rejected() const { return rejected_; }
   const std::vector<Point>& history() const { return history_; }
 

@@ -35,7 +35,7 @@ SearchOutcome search_natively(const Search& search, const std::vector<double>& s
       margin[k] += 1.5 * std::max(0.0, end.constraints[k]);
     }
     request.start = outcome.u;
-    request.initial_step = std::min(search.options.initial_step, 10.0 * request.tolerance);
+    request.initial_step = std::min(search.initial_step, 10.0 * request.tolerance);
   }
   return outcome;
 }

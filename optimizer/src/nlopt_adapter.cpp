@@ -20,13 +20,18 @@ struct Run {
   nlopt_opt optimizer = nullptr;
   std::vector<double> last_u;
   Reply last_reply;
+  bool objective_given = false;
   std::exception_ptr thrown;
 
-  /// Some algorithms ask once or twice more after a forced stop: they get the last reply again.
-  const Reply& reply(unsigned n, const double* u) {
+  /// One query answers the objective and all constraints of a point. An objective asked again at
+  /// the same point is a new query, so that an algorithm going round on one spot is noticed.
+  /// Some algorithms ask on after a forced stop: they get the last reply again.
+  const Reply& reply(unsigned n, const double* u, bool objective) {
     if (thrown) return last_reply;
     const std::vector<double> asked(u, u + n);
-    if (asked == last_u) return last_reply;
+    const bool known = asked == last_u && !(objective && objective_given);
+    objective_given = objective || (asked == last_u && objective_given);
+    if (known) return last_reply;
     try {
       last_reply = answer(asked);
       last_u = asked;
@@ -44,12 +49,12 @@ struct ConstraintData {
 };
 
 double objective_callback(unsigned n, const double* u, double* /*gradient*/, void* data) {
-  return static_cast<Run*>(data)->reply(n, u).objective;
+  return static_cast<Run*>(data)->reply(n, u, true).objective;
 }
 
 double constraint_callback(unsigned n, const double* u, double* /*gradient*/, void* data) {
   const auto* constraint = static_cast<const ConstraintData*>(data);
-  return constraint->run->reply(n, u).constraints[constraint->index];
+  return constraint->run->reply(n, u, false).constraints[constraint->index];
 }
 
 void require(nlopt_result result, nlopt_opt optimizer) {
@@ -78,6 +83,7 @@ SearchOutcome run_nlopt(const SearchRequest& request, const AnswerQuery& answer)
           .optimizer = optimizer.get(),
           .last_u = {},
           .last_reply = {},
+          .objective_given = false,
           .thrown = nullptr};
   run.last_reply.constraints.assign(static_cast<std::size_t>(request.n_constraints), 0.0);
   std::vector<ConstraintData> constraints(static_cast<std::size_t>(request.n_constraints));
@@ -124,6 +130,7 @@ bool nlopt_has(const std::string& algorithm) {
           .optimizer = optimizer.get(),
           .last_u = {},
           .last_reply = {},
+          .objective_given = false,
           .thrown = nullptr};
   std::vector<double> u{0.5, 0.5};
   double objective = 0.0;

@@ -41,9 +41,40 @@ void evaluate_starts(const Problem& problem, const Options& options, UnitBox& bo
   }
 }
 
-/// Runs the algorithm from the best start; the message says how it ended.
-std::string search_from(const std::vector<double>& start, const Problem& problem,
-                        const Options& options, EvaluationLedger& ledger) {
+/// Violation, then objective, of the best point so far.
+std::pair<double, double> rank_of_best(const EvaluationLedger& ledger) {
+  std::optional<Point> point = best_feasible(ledger.history());
+  if (point) return {0.0, point->evaluation.objective};
+  point = least_violating(ledger.history());
+  return {violation(point->evaluation.constraints), point->evaluation.objective};
+}
+
+/// Runs the algorithm. Points that failed or were refused distort the models and simplices of the
+/// local algorithms, and they may then settle anywhere; an end without any feasible point is not
+/// trusted either. Such an end is taken back: the search goes on from the best point with half the
+/// step, until that brings nothing twice.
+SearchOutcome run_with_restarts(Search search, bool native, const UnitBox& box) {
+  const EvaluationLedger& ledger = search.ledger;
+  SearchOutcome outcome;
+  for (int stagnations = 0; stagnations < 2;) {
+    const int disturbances = ledger.failures() + ledger.rejected();
+    const auto rank = rank_of_best(ledger);
+    const auto start = search_start(ledger, box);
+    outcome = native ? search_natively(search, start) : search_augmented(search, start);
+    const auto reached = rank_of_best(ledger);
+    const bool disturbed = ledger.failures() + ledger.rejected() > disturbances;
+    const bool trusted = !disturbed && reached.first == 0.0;
+    const double smallest_step = 4.0 * search.options.relative_tolerance;
+    if (trusted || search.algorithm.info.global || search.initial_step <= smallest_step) break;
+    stagnations = reached < rank ? 0 : stagnations + 1;
+    search.initial_step = std::max(smallest_step, 0.5 * search.initial_step);
+  }
+  return outcome;
+}
+
+/// Runs the algorithm that the options ask for; the message says how it ended.
+std::string search_from_best_start(const Problem& problem, const Options& options,
+                                   const UnitBox& box, EvaluationLedger& ledger) {
   std::string unused;
   const AlgorithmEntry* algorithm = find_algorithm(options.algorithm, unused);
   const AlgorithmEntry* local =
@@ -55,12 +86,12 @@ std::string search_from(const std::vector<double>& start, const Problem& problem
                       .options = options,
                       .algorithm = *algorithm,
                       .local = auglag ? nullptr : local,
+                      .initial_step = options.initial_step,
                       .n_variables = static_cast<int>(problem.lower.size()),
                       .n_constraints = problem.n_constraints + problem.n_cheap_constraints};
   const bool native =
       search.n_constraints == 0 || (algorithm->info.inequality_constraints && !auglag);
-  const SearchOutcome outcome =
-      native ? search_natively(search, start) : search_augmented(search, start);
+  const SearchOutcome outcome = run_with_restarts(search, native, box);
   return name + (native ? "" : " (augmented Lagrangian)") +
          " ended by itself, NLopt: " + outcome.code;
 }
@@ -94,7 +125,7 @@ OptimizeResult optimize(const Problem& problem, const Options& options) {
   OptimizeResult result;
   try {
     evaluate_starts(problem, options, box, ledger);
-    result.message = search_from(search_start(ledger, box), problem, options, ledger);
+    result.message = search_from_best_start(problem, options, box, ledger);
     result.termination = Termination::converged;
   } catch (const StopSearch& stop) {
     result.termination = stop.termination;

@@ -15,6 +15,7 @@ struct Search {
   const Options& options;
   const AlgorithmEntry& algorithm;  ///< the one that NLopt runs
   const AlgorithmEntry* local;      ///< MLSL's local algorithm, else null
+  double initial_step;              ///< share of the range
   int n_variables;
   int n_constraints;  ///< of a Reply: cheap ones and those of the evaluator
 };
@@ -25,13 +26,14 @@ inline SearchRequest base_request(const Search& search, const std::vector<double
   request.algorithm = search.algorithm.nlopt_name;
   if (search.local) request.local_algorithm = search.local->nlopt_name;
   request.start = start;
-  request.initial_step = search.options.initial_step;
+  request.initial_step = search.initial_step;
   request.tolerance = search.options.relative_tolerance;
   request.constraint_tolerance = search.options.feasibility_tolerance;
   request.population =
       population_for(search.algorithm, search.n_variables, search.options.max_evaluations);
   if (search.algorithm.info.name == "AGS") {
-    request.evaluation_limit = search.options.max_evaluations;
+    // Its own count, refused points included; the ledger stops it at the real budget.
+    request.evaluation_limit = 20 * search.options.max_evaluations;
   }
   request.seed = search.options.seed;
   return request;
