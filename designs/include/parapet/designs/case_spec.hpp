@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "parapet/designs/error.hpp"
 #include "parapet/solver/simulation.hpp"
@@ -27,9 +28,17 @@ struct CaseSpec {
 /// @throws InputError with every issue found.
 CaseSpec parse_case(const Json& json, const std::string& file);
 
-/// Reads a JSON file (syntax errors name line and column).
+/// Parses JSON text. `file` only names the source in messages.
+/// @throws InputError for a syntax error (with line and column) or a key that stands twice.
+Json parse_json(const std::string& text, const std::string& file);
+
+/// The same with the text read from disk.
 /// @throws InputError
 Json read_json(const std::filesystem::path& file);
+
+/// What a document says it is: "parapet-case/1", "parapet-study/1" or "parapet-sweep/1".
+/// @throws InputError when it says nothing or something else.
+std::string document_format(const Json& json, const std::string& file);
 
 /// The same with the file read from disk.
 CaseSpec load_case(const std::filesystem::path& file);

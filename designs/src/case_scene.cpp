@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <numbers>
+
+#include "case_parts.hpp"
+#include "polygon.hpp"
+
+namespace parapet::designs {
+namespace {
+
+double radians(double degrees) {
+  return degrees * (std::numbers::pi / 180.0);
+}
+
+double number(const Json& object, const char* key) {
+  return object.at(key).get<double>();
+}
+
+/// A whole number may be written 30.0.
+template <typename Integer>
+Integer whole(const Json& object, const char* key) {
+  return static_cast<Integer>(number(object, key));
+}
+
+/// The solver measures the angle from the world's horizontal.
+double angle_from_horizontal(const Json& deflector, double slope, double stem_lean) {
+  const double angle = radians(number(deflector, "angle_deg"));
+  const std::string datum = deflector.at("datum").get<std::string>();
+  if (datum == "stem") return angle - stem_lean;  // a lean upstream tilts the normal down
+  if (datum == "bed") return angle + slope;       // upstream along the bed climbs by the slope
+  return angle;
+}
+
+solver::Barrier read_barrier(const Json& json, double slope, double previous_foot) {
+  solver::Barrier barrier;
+  barrier.foot_x = json.contains("foot_x_m") ? number(json, "foot_x_m")
+                                             : previous_foot + number(json, "spacing_m");
+  barrier.height = number(json, "height_m");
+  barrier.thickness = number(json, "thickness_m");
+  if (json.contains("stem_lean_deg")) {
+    barrier.stem_lean = radians(number(json, "stem_lean_deg"));
+  } else {
+    barrier.stem_lean = json.at("stem_inclination") == "bed_normal" ? -slope : 0.0;
+  }
+  const Json& deflector = json.at("deflector");
+  if (!deflector.is_null()) {
+    barrier.deflector = solver::Deflector{
+        angle_from_horizontal(deflector, slope, barrier.stem_lean), number(deflector, "length_m")};
+  }
+  return barrier;
+}
+
+solver::SolidPolygon read_solid(const Json& json) {
+  solver::SolidPolygon solid;
+  for (const Json& corner : json.at("vertices_m")) {
+    solid.vertices.push_back({corner[0].get<double>(), corner[1].get<double>()});
+  }
+  if (signed_area(solid.vertices) < 0.0) std::reverse(solid.vertices.begin(), solid.vertices.end());
+  return solid;
+}
+
+}  // namespace
+
+solver::Scene read_scene(const Json& resolved) {
+  solver::Scene scene;
+  const Json& channel = resolved.at("channel");
+  scene.slope = radians(number(channel, "slope_deg"));
+  scene.gravity = number(channel, "gravity_m_s2");
+  scene.domain_length = number(channel, "length_m");
+  scene.domain_height = number(channel, "height_m");
+  scene.monitor_x = number(channel, "monitor_x_m");
+  scene.wall_slip =
+      channel.at("wall") == "free_slip" ? solver::WallSlip::free_slip : solver::WallSlip::no_slip;
+  scene.reservoir_length = number(resolved.at("reservoir"), "length_m");
+  scene.reservoir_height = number(resolved.at("reservoir"), "height_m");
+  const Json& material = resolved.at("material");
+  scene.material.density = number(material, "density_kg_m3");
+  scene.material.yield_stress = number(material, "yield_stress_pa");
+  scene.material.consistency = number(material, "consistency_pa_sn");
+  scene.material.flow_index = number(material, "flow_index");
+  scene.material.cutoff_shear_rate = number(material, "cutoff_shear_rate_per_s");
+  double previous_foot = 0.0;
+  for (const Json& barrier : resolved.at("barriers")) {
+    scene.barriers.push_back(read_barrier(barrier, scene.slope, previous_foot));
+    previous_foot = scene.barriers.back().foot_x;
+  }
+  for (const Json& solid : resolved.at("solids")) scene.solids.push_back(read_solid(solid));
+  return scene;
+}
+
+solver::Numerics read_numerics(const Json& resolved) {
+  const Json& json = resolved.at("numerics");
+  solver::Numerics numerics;
+  numerics.spacing = number(json, "spacing_m");
+  numerics.smoothing_ratio = number(json, "smoothing_ratio");
+  numerics.sound_speed = number(json, "sound_speed_m_s");
+  numerics.density_diffusion = number(json, "density_diffusion");
+  numerics.shifting_factor = number(json, "shifting_factor");
+  numerics.skin_ratio = number(json, "skin_ratio");
+  numerics.cfl_acoustic = number(json, "cfl_acoustic");
+  numerics.cfl_force = number(json, "cfl_force");
+  numerics.cfl_viscous = number(json, "cfl_viscous");
+  numerics.cg_tolerance = number(json, "cg_tolerance_m_s2");
+  numerics.cg_max_iterations = whole<int>(json, "cg_max_iterations");
+  numerics.hydrostatic_start = json.at("hydrostatic_start").get<bool>();
+  numerics.lattice_jitter = number(json, "lattice_jitter");
+  numerics.lattice_seed = whole<unsigned>(json, "lattice_seed");
+  numerics.integrator = json.at("integrator") == "rk4_explicit"
+                            ? solver::Integrator::rk4_explicit
+                            : solver::Integrator::implicit_viscosity;
+  return numerics;
+}
+
+solver::RunOptions read_run(const Json& resolved) {
+  const Json& json = resolved.at("run");
+  solver::RunOptions run;
+  run.stop_time = number(json, "stop_time_s");
+  run.series_interval = number(json, "series_interval_s");
+  run.frame_interval = number(json, "frame_interval_s");
+  const Json& settled = json.at("settled");
+  run.settled.enabled = settled.at("enabled").get<bool>();
+  run.settled.window = number(settled, "window_s");
+  run.settled.retention_change = number(settled, "retention_change");
+  run.settled.kinetic_energy_share = number(settled, "kinetic_energy_share");
+  run.settled.earliest_time = number(settled, "earliest_time_s");
+  return run;
+}
+
+}  // namespace parapet::designs

@@ -1,0 +1,90 @@
+#include <muParser.h>
+
+#include <cmath>
+
+#include "findings.hpp"
+#include "study_parts.hpp"
+#include "words.hpp"
+
+namespace parapet::designs {
+namespace {
+
+/// A parser with the design's values bound to their names.
+class BoundExpression {
+ public:
+  BoundExpression(const std::string& expression, const Design& design) : values_(design) {
+    for (auto& [name, value] : values_) parser_.DefineVar(name, &value);
+    parser_.SetExpr(expression);
+  }
+
+  double value() { return parser_.Eval(); }
+  bool uses_any() { return !parser_.GetUsedVar().empty(); }
+
+ private:
+  Design values_;
+  mu::Parser parser_;
+};
+
+/// muParser would take "a = 0.1" as an assignment, and "a <= 0.1" as 0 or 1.
+bool is_comparison(const std::string& expression) {
+  return expression.find_first_of("<>=") != std::string::npos &&
+         expression.find('?') == std::string::npos;
+}
+
+ExpressionProblem parser_problem(const mu::ParserError& error,
+                                 const std::vector<std::string>& names) {
+  const std::string known = "a formula of " + joined(names);
+  const std::string place = " at character " + std::to_string(error.GetPos() + 1);
+  if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
+    return {"unknown symbol \"" + error.GetToken() + "\"" + place +
+                did_you_mean(error.GetToken(), names),
+            known};
+  }
+  std::string message = error.GetMsg();
+  while (!message.empty() && (message.back() == '.' || message.back() == '\n')) message.pop_back();
+  return {"cannot be read" + place + ": " + message, known};
+}
+
+}  // namespace
+
+ExpressionProblem expression_problem(const std::string& expression,
+                                     const std::vector<std::string>& names) {
+  if (is_comparison(expression)) {
+    return {"is a comparison, not a value",
+            "a formula such as a + b; its limits stand in the keys lower and upper"};
+  }
+  Design design;
+  for (const std::string& name : names) design[name] = 1.0;
+  try {
+    BoundExpression bound(expression, design);
+    bound.value();
+    if (!bound.uses_any()) {
+      return {"does not depend on any variable", "a formula of " + joined(names)};
+    }
+  } catch (const mu::ParserError& error) {
+    return parser_problem(error, names);
+  }
+  return {};
+}
+
+double evaluate_expression(const std::string& expression, const Design& design) {
+  const auto fail = [&](const std::string& problem, const std::string& allowed) {
+    return InputError({{"", "", "\"" + expression + "\"", problem, allowed}});
+  };
+  std::vector<std::string> names;
+  std::string values;
+  for (const auto& [name, value] : design) {
+    names.push_back(name);
+    values += (values.empty() ? "" : ", ") + name + " = " + Json(value).dump();
+  }
+  try {
+    const double value = BoundExpression(expression, design).value();
+    if (std::isfinite(value)) return value;
+  } catch (const mu::ParserError& error) {
+    const ExpressionProblem found = parser_problem(error, names);
+    throw fail(found.problem, found.allowed);
+  }
+  throw fail("has no finite value at " + values, "a formula with a value for every design");
+}
+
+}  // namespace parapet::designs
