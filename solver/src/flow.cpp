@@ -1,0 +1,309 @@
+#include "flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parallel.hpp"
+#include "rheology.hpp"
+#include "shifting.hpp"
+#include "time_integrator.hpp"
+#include "time_step.hpp"
+#include "wall_contact.hpp"
+
+namespace parapet::solver {
+namespace {
+
+constexpr double density_limit = 0.2;   // |rho/rho_0 - 1| beyond this is no longer this fluid
+constexpr double speed_limit = 0.5;     // of the sound speed: weak compressibility is lost
+constexpr double shortest_step = 1e-10; // [s]
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+Flow::Flow(FlowSetup setup)
+    : setup_(std::move(setup)),
+      passes_(setup_.passes ? *setup_.passes : best_passes()),
+      walls_(lay_out_walls(setup_.solids, setup_.numerics.spacing, 2.0 * smoothing_length())),
+      rows_(setup_.solids, walls_, 2.0 * smoothing_length(),
+            setup_.numerics.skin_ratio * smoothing_length(), setup_.periodic_length),
+      integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
+                      ? make_rk4_explicit()
+                      : make_implicit_viscosity()),
+      impulses_(at(setup_.n_barriers)) {
+  fluid_.assign(setup_.particles);
+  // the ghost point that pads the rows
+  const std::size_t n = walls_.size();
+  walls_.x.push_back(1e6);
+  walls_.z.push_back(1e6);
+  for (auto* a : {&walls_.volume, &walls_.u, &walls_.w}) a->push_back(0.0);
+  for (auto* a : {&wall_pressure_, &wall_fluid_u_, &wall_fluid_w_}) a->assign(n + 1, 0.0);
+  first_barrier_point_ = static_cast<int>(n);
+  for (std::size_t k = n; k-- > 0;) {
+    if (setup_.solids.faces[at(walls_.face[k])].barrier >= 0) {
+      first_barrier_point_ = static_cast<int>(k);
+    }
+  }
+  max_acceleration_ = norm(setup_.gravity);
+}
+
+Flow::~Flow() = default;
+
+double Flow::smoothing_length() const {
+  return setup_.numerics.smoothing_ratio * setup_.numerics.spacing;
+}
+
+bool Flow::inviscid() const {
+  return setup_.material.yield_stress == 0.0 && setup_.material.consistency == 0.0;
+}
+
+FlowArrays Flow::arrays() {
+  const Numerics& numerics = setup_.numerics;
+  FlowConstants c;
+  c.kernel = make_kernel(smoothing_length(), numerics.spacing);
+  c.smoothing_length = smoothing_length();
+  c.sound_speed = numerics.sound_speed;
+  c.reference_density = setup_.material.density;
+  c.density_diffusion = numerics.density_diffusion;
+  c.gravity_x = setup_.gravity.x;
+  c.gravity_z = setup_.gravity.z;
+  c.periodic_length = setup_.periodic_length;
+  c.no_slip = setup_.wall_slip == WallSlip::no_slip;
+  const WallView wall{static_cast<int>(walls_.size()), walls_.x.data(), walls_.z.data(),
+                      walls_.volume.data(), walls_.u.data(), walls_.w.data(),
+                      wall_pressure_.data(), wall_fluid_u_.data(), wall_fluid_w_.data()};
+  return {c, fluid_.view(), wall, rows_.view()};
+}
+
+void Flow::prepare_neighbors() {
+  if (!rows_.outdated(fluid_)) return;
+  rows_.build(fluid_, threads());
+  ++statistics_.neighbor_builds;
+}
+
+void Flow::update_pressure() {
+  const double c2 = setup_.numerics.sound_speed * setup_.numerics.sound_speed;
+  const double rho_0 = setup_.material.density;
+  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    fluid_.pressure[i] = c2 * (fluid_.density[i] - rho_0);
+    fluid_.volume[i] = fluid_.mass[i] / fluid_.density[i];
+  }
+}
+
+void Flow::update_gradients() {
+  const FlowArrays a = arrays();
+  for_blocks(a.rows.n_active, threads(),
+             [&](int begin, int end) { passes_.extrapolate_walls(a, begin, end); });
+  const ShiftingSettings settings{smoothing_length(), max_speed_, setup_.numerics.shifting_factor,
+                                  a.constants.no_slip};
+  const GradientSums sums = fluid_.gradient_sums();
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) {
+    passes_.gradient_sums(a, sums, begin, end);
+    finish_gradients(fluid_, settings, begin, end);
+    for (std::size_t i = at(begin); i < at(end); ++i) {
+      fluid_.viscosity[i] = apparent_viscosity(setup_.material, fluid_.shear_rate[i]);
+      fluid_.pair_viscosity[i] = fluid_.quadrature[i] * fluid_.viscosity[i];
+    }
+  });
+}
+
+void Flow::add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az) {
+  const FlowArrays a = arrays();
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) {
+    passes_.pressure_force(a, ax.data(), az.data(), begin, end);
+    for (std::size_t i = at(begin); i < at(end); ++i) {
+      ax[i] += setup_.gravity.x;
+      az[i] += setup_.gravity.z;
+    }
+  });
+}
+
+void Flow::add_viscous_force(std::vector<double>& ax, std::vector<double>& az) {
+  const FlowArrays a = arrays();
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) {
+    passes_.viscous_force(a, ax.data(), az.data(), begin, end);
+  });
+}
+
+bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<double>& w_star,
+                           std::vector<double>& u, std::vector<double>& w, double dt) {
+  const ViscousSolve::Settings settings{setup_.numerics.cg_tolerance,
+                                        setup_.numerics.cg_max_iterations, threads()};
+  const auto outcome =
+      viscous_.solve(passes_, arrays(), fluid_, u_star, w_star, u, w, dt, settings);
+  statistics_.cg_iterations += outcome.iterations;
+  return outcome.converged;
+}
+
+void Flow::update_density_rate(std::vector<double>& rate, std::vector<double>& shift_ax,
+                               std::vector<double>& shift_az) {
+  const FlowArrays a = arrays();
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) {
+    passes_.density_rate(a, rate.data(), shift_ax.data(), shift_az.data(), begin, end);
+  });
+}
+
+void Flow::measure_barrier_load(double dt) {
+  if (impulses_.empty()) return;
+  const FlowArrays a = arrays();
+  const std::int32_t* active = a.rows.active_wall;
+  const auto first = static_cast<int>(
+      std::lower_bound(active, active + a.rows.n_active, first_barrier_point_) - active);
+  load_x_.resize(at(a.rows.n_active));
+  load_z_.resize(at(a.rows.n_active));
+  for_blocks(a.rows.n_active - first, threads(), [&](int begin, int end) {
+    passes_.wall_load(a, load_x_.data(), load_z_.data(), first + begin, first + end);
+  });
+  for (int s = first; s < a.rows.n_active; ++s) {
+    const auto k = at(active[s]);
+    const Face& face = setup_.solids.faces[at(walls_.face[k])];
+    if (face.barrier < 0) continue;
+    BarrierImpulse& impulse = impulses_[at(face.barrier)];
+    const Vec2 force{load_x_[at(s)], load_z_[at(s)]};
+    const Vec2 foot = setup_.solids.bodies[at(face.body)].outline.front();
+    const Vec2 arm = Vec2{walls_.x[k], walls_.z[k]} - foot;
+    impulse.force = impulse.force + dt * force;
+    impulse.moment -= dt * cross(arm, force);  // clockwise is downstream
+  }
+}
+
+std::vector<BarrierImpulse> Flow::take_impulses() {
+  std::vector<BarrierImpulse> taken(impulses_.size());
+  taken.swap(impulses_);
+  return taken;
+}
+
+std::optional<Failure> Flow::check_state() {
+  const double rho_0 = setup_.material.density;
+  double speed2 = 0.0, compression = 0.0;
+  bool finite = true;
+  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    const double s2 = fluid_.u[i] * fluid_.u[i] + fluid_.w[i] * fluid_.w[i];
+    speed2 = std::max(speed2, s2);
+    compression = std::max(compression, std::abs(fluid_.density[i] / rho_0 - 1.0));
+    finite = finite && std::isfinite(s2 + fluid_.density[i] + fluid_.x[i] + fluid_.z[i]);
+  }
+  max_speed_ = std::sqrt(speed2);
+  if (!finite) return Failure{StopReason::not_a_number, "a particle's state is not a number"};
+  statistics_.max_speed = std::max(statistics_.max_speed, max_speed_);
+  statistics_.max_density_error = std::max(statistics_.max_density_error, compression);
+  if (max_speed_ > speed_limit * setup_.numerics.sound_speed) {
+    return Failure{StopReason::runaway_speed,
+                   "a particle moves at " + std::to_string(max_speed_) +
+                       " m/s, more than half the sound speed"};
+  }
+  if (compression > density_limit) {
+    return Failure{StopReason::density_range, "a density is " + std::to_string(100.0 * compression) +
+                                                  " % away from the reference density"};
+  }
+  return std::nullopt;
+}
+
+void Flow::stop_at_walls() {
+  const WallContact contact{setup_.solids.faces, 0.02 * setup_.numerics.spacing};
+  for (int i = 0; i < fluid_.n; ++i) {
+    if (!rows_.touches_wall(i)) continue;
+    const auto k = at(i);
+    const Vec2 before{x_before_[k], z_before_[k]};
+    const std::vector<int>& faces = rows_.faces_near(before);
+    ParticleMotion motion{before, {fluid_.x[k], fluid_.z[k]}, {fluid_.u[k], fluid_.w[k]}};
+    const int face = contact.apply(motion, faces);
+    if (face < 0) continue;
+    ++statistics_.wall_contacts;
+    const int barrier = setup_.solids.faces[at(face)].barrier;
+    if (barrier >= 0) {
+      const Vec2 lost = Vec2{fluid_.u[k], fluid_.w[k]} - motion.velocity;
+      BarrierImpulse& impulse = impulses_[at(barrier)];
+      const Vec2 foot =
+          setup_.solids.bodies[at(setup_.solids.faces[at(face)].body)].outline.front();
+      impulse.force = impulse.force + fluid_.mass[k] * lost;
+      impulse.moment -= fluid_.mass[k] * cross(motion.after - foot, lost);
+    }
+    fluid_.x[k] = motion.after.x;
+    fluid_.z[k] = motion.after.z;
+    fluid_.u[k] = motion.velocity.x;
+    fluid_.w[k] = motion.velocity.z;
+  }
+}
+
+void Flow::remove_departed() {
+  std::vector<std::int32_t> leaving;
+  for (int i = 0; i < fluid_.n; ++i) {
+    const auto k = at(i);
+    if (setup_.periodic_length > 0.0) {
+      if (fluid_.x[k] < 0.0) fluid_.x[k] += setup_.periodic_length;
+      if (fluid_.x[k] >= setup_.periodic_length) fluid_.x[k] -= setup_.periodic_length;
+    }
+    if (fluid_.x[k] > setup_.outlet_x || fluid_.z[k] > setup_.ceiling_z) {
+      leaving.push_back(i);
+      departures_.push_back({fluid_.id[k], fluid_.mass[k], fluid_.x[k]});
+      left_mass_ += fluid_.mass[k];
+    }
+  }
+  if (leaving.empty()) return;
+  fluid_.remove(leaving);
+  rows_.invalidate();
+}
+
+int Flow::particles_inside_walls() const {
+  int inside = 0;
+  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    const Vec2 p{fluid_.x[i], fluid_.z[i]};
+    bool bad = false;
+    for (const Face& face : setup_.solids.faces) {
+      if (!setup_.solids.bodies[at(face.body)].outline.empty()) continue;
+      bad = bad || dot(p - face.a, face.normal) <= 0.0;  // unbounded walls are whole half planes
+    }
+    for (const Body& body : setup_.solids.bodies) {
+      bad = bad || (!body.outline.empty() && inside_polygon(body.outline, p));
+    }
+    inside += bad;
+  }
+  return inside;
+}
+
+std::optional<Failure> Flow::step(double longest) {
+  if (statistics_.steps == 0) {
+    update_pressure();
+    if (auto failure = check_state()) return failure;
+  }
+  prepare_neighbors();
+  update_pressure();
+  double max_viscosity = 0.0;
+  if (integrator_->explicit_viscosity() && !inviscid()) {
+    max_viscosity = apparent_viscosity(setup_.material, 0.0);
+  }
+  const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic
+                                                        : integrator_->default_acoustic_cfl();
+  const double stable = stable_time_step(
+      setup_.numerics, {smoothing_length(), max_speed_, max_acceleration_, max_viscosity,
+                        setup_.material.density, cfl});
+  if (!(stable > shortest_step)) {
+    return Failure{StopReason::time_step_collapse,
+                   "the stable time step fell to " + std::to_string(stable) + " s"};
+  }
+  // whole steps until `longest`, so that samples fall on their times without a tiny last step
+  const double dt = longest / std::max(1.0, std::ceil(longest / stable - 1e-9));
+  x_before_ = fluid_.x;
+  z_before_ = fluid_.z;
+  const std::vector<double>& u = fluid_.u;
+  const std::vector<double>& w = fluid_.w;
+  u_before_ = u;
+  w_before_ = w;
+  if (auto failure = integrator_->advance(*this, dt)) return failure;
+  stop_at_walls();
+  if (auto failure = check_state()) return failure;
+  double a2 = 0.0;
+  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    const double du = u[i] - u_before_[i], dw = w[i] - w_before_[i];
+    a2 = std::max(a2, du * du + dw * dw);
+  }
+  max_acceleration_ = std::sqrt(a2) / dt;
+  remove_departed();
+  time_ += dt;
+  dt_ = dt;
+  ++statistics_.steps;
+  return std::nullopt;
+}
+
+}  // namespace parapet::solver

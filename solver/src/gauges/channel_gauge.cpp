@@ -1,0 +1,93 @@
+#include "channel_gauge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parapet::solver {
+namespace {
+
+constexpr double front_mass_share = 0.005;
+constexpr double depth_window = 0.040;     // [m]
+constexpr double energy_window = 0.050;    // [m] either side, as in the paper
+constexpr double rest_speed = 0.1;         // [m/s]
+constexpr double rest_layer = 0.020;       // [m] above the bed
+constexpr double rest_bin = 0.020;         // [m] along the bed
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double speed_squared(const Fluid& f, std::size_t i) { return f.u[i] * f.u[i] + f.w[i] * f.w[i]; }
+
+}  // namespace
+
+double front_position(const GaugeScene& g, const Fluid& f, double left_mass) {
+  double ahead = left_mass;
+  const double share = front_mass_share * g.released_mass;
+  if (ahead >= share) return g.scene->domain_length;
+  struct Parcel {
+    double x, mass;
+  };
+  std::vector<Parcel> parcels(at(f.n));
+  for (std::size_t i = 0; i < parcels.size(); ++i) parcels[i] = {f.x[i], f.mass[i]};
+  const auto farther = [](const Parcel& a, const Parcel& b) {
+    return a.x > b.x || (a.x == b.x && a.mass > b.mass);
+  };
+  // only the foremost few are ever looked at
+  std::size_t sorted = 0;
+  for (std::size_t i = 0; i < parcels.size(); ++i) {
+    if (i == sorted) {
+      sorted = std::min(parcels.size(), 2 * sorted + 32);
+      std::partial_sort(parcels.begin(), parcels.begin() + static_cast<std::ptrdiff_t>(sorted),
+                        parcels.end(), farther);
+    }
+    ahead += parcels[i].mass;
+    if (ahead >= share) return parcels[i].x;
+  }
+  return 0.0;
+}
+
+double flow_depth(const GaugeScene& g, const Fluid& f) {
+  double mass = 0.0;
+  for (std::size_t i = 0; i < at(f.n); ++i) {
+    if (f.x[i] <= g.gauge_x && f.x[i] > g.gauge_x - depth_window) mass += f.mass[i];
+  }
+  return mass / (g.scene->material.density * depth_window);
+}
+
+double window_kinetic_energy(const GaugeScene& g, const Fluid& f) {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < at(f.n); ++i) {
+    if (std::abs(f.x[i] - g.gauge_x) <= energy_window) {
+      energy += 0.5 * f.mass[i] * speed_squared(f, i);
+    }
+  }
+  return energy;
+}
+
+double total_kinetic_energy(const Fluid& f) {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < at(f.n); ++i) energy += 0.5 * f.mass[i] * speed_squared(f, i);
+  return energy;
+}
+
+double dead_zone_length(const GaugeScene& g, const Fluid& f) {
+  if (g.lines.empty()) return 0.0;
+  const double foot = g.lines.front().foot.x;
+  const auto bins = at(static_cast<int>(std::ceil(foot / rest_bin)));
+  std::vector<double> mass(bins, 0.0), at_rest(bins, 0.0);
+  for (std::size_t i = 0; i < at(f.n); ++i) {
+    if (f.z[i] > rest_layer || f.x[i] >= foot || f.x[i] < 0.0) continue;
+    const std::size_t bin = std::min(bins - 1, at(static_cast<int>((foot - f.x[i]) / rest_bin)));
+    mass[bin] += f.mass[i];
+    if (speed_squared(f, i) < rest_speed * rest_speed) at_rest[bin] += f.mass[i];
+  }
+  const double full = g.scene->material.density * rest_bin * rest_layer;
+  double length = 0.0;
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    const double share = mass[bin] > 0.25 * full ? at_rest[bin] / mass[bin] : 0.0;
+    if (share < 0.5) return length + share * rest_bin;
+    length += rest_bin;
+  }
+  return length;
+}
+
+}  // namespace parapet::solver

@@ -1,0 +1,25 @@
+// What gauges need to know of the scene, worked out once.
+#pragma once
+
+#include <vector>
+
+#include "../geometry.hpp"
+
+namespace parapet::solver {
+
+// A barrier's line: through its foot, along its stem, without end.
+struct BarrierLine {
+  Vec2 foot;
+  Vec2 downstream;  // unit normal
+  double offset(Vec2 p) const { return dot(p - foot, downstream); }  // positive downstream [m]
+};
+
+struct GaugeScene {
+  const Scene* scene = nullptr;
+  std::vector<BarrierLine> lines;
+  double gauge_x = 0.0;        // first foot, or the monitored place [m]
+  double released_mass = 0.0;  // [kg/m]
+  double spacing = 0.0;        // [m]
+};
+
+}  // namespace parapet::solver

@@ -1,0 +1,93 @@
+#include "launch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parapet::solver {
+namespace {
+
+constexpr double impact_share = 0.005;  // of the released mass
+constexpr double place_share = 0.010;
+constexpr double landing_height = 0.010;   // [m] of a particle's centre
+constexpr double approach_height = 0.020;  // [m]
+
+}  // namespace
+
+LaunchGauge::LaunchGauge(const GaugeScene& g)
+    : g_(g), landing_height_(std::max(landing_height, g.spacing)) {}
+
+void LaunchGauge::observe(const Fluid& f, double time) {
+  if (g_.lines.empty()) return;
+  const BarrierLine& line = g_.lines.front();
+  const std::size_t released = crossed_.size();
+  if (released == 0) {
+    crossed_.assign(static_cast<std::size_t>(f.n), 0);
+    landed_ = crossed_;
+    approach_speed_.assign(static_cast<std::size_t>(f.n), -1.0);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    if (line.offset({f.x[i], f.z[i]}) < 0.0) continue;
+    const auto id = static_cast<std::size_t>(f.id[i]);
+    if (landed_[id]) continue;
+    if (!crossed_[id]) {
+      crossed_[id] = 1;
+      crossings_.push_back({time, f.mass[i], f.x[i], f.z[i], f.u[i], f.w[i]});
+    }
+    if (approach_speed_[id] < 0.0 && f.z[i] < std::max(approach_height, 2.0 * g_.spacing)) {
+      approach_speed_[id] = std::hypot(f.u[i], f.w[i]);
+    }
+    if (f.z[i] < landing_height_) {
+      landed_[id] = 1;
+      landings_.push_back({time, f.mass[i], f.x[i], approach_speed_[id]});
+      landed_mass_ += f.mass[i];
+    }
+  }
+}
+
+std::optional<LaunchGauge::Impact> LaunchGauge::impact() const {
+  if (landed_mass_ < impact_share * g_.released_mass) return std::nullopt;
+  Impact impact{0.0, 0.0, 0.0};
+  std::vector<Landing> first;
+  double mass = 0.0, momentum = 0.0;
+  bool reached = false;
+  for (const Landing& landing : landings_) {
+    if (mass >= place_share * g_.released_mass) break;
+    mass += landing.mass;
+    momentum += landing.mass * landing.speed;
+    first.push_back(landing);
+    if (!reached && mass >= impact_share * g_.released_mass) {
+      reached = true;
+      impact.time = landing.time;
+    }
+  }
+  impact.landing_speed = momentum / mass;
+  std::sort(first.begin(), first.end(), [](const Landing& a, const Landing& b) { return a.x < b.x; });
+  double below = 0.0;
+  for (const Landing& landing : first) {
+    below += landing.mass;
+    impact.x = landing.x;
+    if (below >= 0.5 * mass) break;
+  }
+  return impact;
+}
+
+std::optional<LaunchGauge::Launch> LaunchGauge::launch() const {
+  const auto landing = impact();
+  double mass = 0.0, height = 0.0, place = 0.0;
+  Vec2 momentum;
+  for (const Crossing& c : crossings_) {
+    if (landing && c.time > landing->time) break;
+    mass += c.mass;
+    height += c.mass * c.z;
+    place += c.mass * c.x;
+    momentum = momentum + c.mass * Vec2{c.u, c.w};
+  }
+  if (mass < impact_share * g_.released_mass) return std::nullopt;
+  // the world's horizontal, downstream, in channel axes
+  const double a = g_.scene->slope;
+  const double across = momentum.x * std::cos(a) + momentum.z * std::sin(a);
+  const double up = -momentum.x * std::sin(a) + momentum.z * std::cos(a);
+  return Launch{norm(momentum) / mass, std::atan2(up, across), height / mass, place / mass};
+}
+
+}  // namespace parapet::solver

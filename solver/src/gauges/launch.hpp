@@ -1,0 +1,53 @@
+// Overflow of the first barrier: who crosses its line, how fast and whereto, and where it lands.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "../fluid.hpp"
+#include "gauge_scene.hpp"
+
+namespace parapet::solver {
+
+// All of it is judged by mass: the impact is when 0.5 % of the released mass has landed and its
+// place the median of the first 1 %, so that single droplets decide nothing.
+class LaunchGauge {
+ public:
+  struct Impact {
+    double time;           // [s]
+    double x;              // [m]
+    double landing_speed;  // [m/s]
+  };
+  struct Launch {
+    double speed;   // of the mean momentum [m/s]
+    double angle;   // against the world's horizontal, positive upwards [rad]
+    double height;  // mean height above the bed at the crossing [m]
+    double x;       // mean place of the crossing [m]
+  };
+
+  explicit LaunchGauge(const GaugeScene& g);
+  // After every time step.
+  void observe(const Fluid& fluid, double time);
+  // Nothing when too little has landed (crossed).
+  std::optional<Impact> impact() const;
+  std::optional<Launch> launch() const;
+  double landed_share() const { return landed_mass_ / g_.released_mass; }
+
+ private:
+  struct Crossing {
+    double time, mass, x, z, u, w;
+  };
+  struct Landing {
+    double time, mass, x, speed;
+  };
+
+  const GaugeScene& g_;
+  double landing_height_;
+  std::vector<char> crossed_, landed_;    // [n_released]
+  std::vector<double> approach_speed_;    // [n_released], negative until 20 mm above the bed
+  std::vector<Crossing> crossings_;
+  std::vector<Landing> landings_;
+  double landed_mass_ = 0.0;
+};
+
+}  // namespace parapet::solver

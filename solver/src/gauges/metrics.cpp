@@ -1,0 +1,210 @@
+// The metrics at the end of a run, from the series and the gauges. Definitions: metric_catalog.cpp.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "recorder.hpp"
+
+namespace parapet::solver {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+// Values by key; what is not set stays absent with its reason.
+class Sheet {
+ public:
+  void set(const std::string& key, double value) { values_[key] = value; }
+  void absent(const std::string& key, std::string reason) { reasons_[key] = std::move(reason); }
+
+  std::vector<Metric> in_order(int n_barriers) const {
+    std::vector<Metric> metrics;
+    for (const MetricInfo& info : metric_catalog(n_barriers)) {
+      Metric metric{info.key, std::nullopt, ""};
+      if (const auto value = values_.find(info.key); value != values_.end()) {
+        metric.value = value->second;
+      } else {
+        const auto reason = reasons_.find(info.key);
+        metric.absent_reason = reason != reasons_.end() ? reason->second : "not reached in this run";
+      }
+      metrics.push_back(std::move(metric));
+    }
+    return metrics;
+  }
+
+ private:
+  std::map<std::string, double> values_;
+  std::map<std::string, std::string> reasons_;
+};
+
+// Time at which a growing series first reaches a level, linear between samples; negative if never.
+double passing_time(const std::vector<double>& time, const std::vector<double>& values,
+                    double level) {
+  for (std::size_t r = 1; r < values.size(); ++r) {
+    if (values[r] >= level && values[r - 1] < level) {
+      const double share = (level - values[r - 1]) / (values[r] - values[r - 1]);
+      return time[r - 1] + share * (time[r] - time[r - 1]);
+    }
+  }
+  return -1.0;
+}
+
+void front_metrics(Sheet& sheet, const std::vector<double>& time, const std::vector<double>& front,
+                   double gauge_x) {
+  constexpr double base = 0.1;  // [m]
+  const double before = passing_time(time, front, gauge_x - base);
+  const double arrival = passing_time(time, front, gauge_x);
+  if (arrival < 0.0) {
+    sheet.absent("front_velocity_m_s", "the front did not reach the gauge");
+    sheet.absent("arrival_time_s", "the front did not reach the gauge");
+    return;
+  }
+  sheet.set("arrival_time_s", arrival);
+  if (before >= 0.0) sheet.set("front_velocity_m_s", base / (arrival - before));
+}
+
+void energy_metrics(Sheet& sheet, const std::vector<double>& time,
+                    const std::vector<double>& energy) {
+  if (energy.empty()) return;
+  const auto peak = std::max_element(energy.begin(), energy.end());
+  if (*peak <= 0.0) {
+    for (const char* key : {"kinetic_energy_peak_j_per_m", "kinetic_energy_peak_time_s",
+                            "kinetic_energy_minimum_j_per_m", "kinetic_energy_plateau_time_s"}) {
+      sheet.absent(key, "nothing moved through the window");
+    }
+    return;
+  }
+  const auto at_peak = static_cast<std::size_t>(peak - energy.begin());
+  sheet.set("kinetic_energy_peak_j_per_m", *peak);
+  sheet.set("kinetic_energy_peak_time_s", time[at_peak]);
+  std::size_t plateau = energy.size();
+  while (plateau > at_peak && energy[plateau - 1] < 0.05 * *peak) --plateau;
+  if (plateau == energy.size()) {
+    sheet.absent("kinetic_energy_plateau_time_s", "the window was still moving at the end");
+  } else {
+    sheet.set("kinetic_energy_plateau_time_s", time[plateau]);
+  }
+  sheet.set("kinetic_energy_minimum_j_per_m",
+            *std::min_element(peak, energy.begin() + static_cast<std::ptrdiff_t>(
+                                                         std::min(plateau + 1, energy.size()))));
+}
+
+// Largest rate at which `retained` (a share) falls over at least 20 ms.
+double peak_loss_rate(const std::vector<double>& time, const std::vector<double>& retained) {
+  constexpr double window = 0.020;  // [s]
+  double peak = 0.0;
+  std::size_t from = 0;
+  for (std::size_t to = 1; to < time.size(); ++to) {
+    while (from + 1 < to && time[to] - time[from + 1] >= window - 1e-12) ++from;
+    if (time[to] - time[from] < window - 1e-12) continue;
+    peak = std::max(peak, (retained[from] - retained[to]) / (time[to] - time[from]));
+  }
+  return peak;
+}
+
+// Ng et al. 2023: launch at angle b above the horizontal with speed v from height H over the bed.
+double ballistic_distance(const Scene& scene, const LaunchGauge::Launch& launch) {
+  const double a = scene.slope, g = scene.gravity;
+  const double vn = launch.speed * std::sin(a + launch.angle);
+  const double vs = launch.speed * std::cos(a + launch.angle);
+  const double t =
+      (vn + std::sqrt(vn * vn + 2.0 * g * launch.height * std::cos(a))) / (g * std::cos(a));
+  return vs * t + 0.5 * g * std::sin(a) * t * t;
+}
+
+}  // namespace
+
+std::vector<Metric> Recorder::metrics() const {
+  Sheet sheet;
+  const int n_barriers = static_cast<int>(g_.lines.size());
+  const std::vector<double> time = column("time_s");
+  front_metrics(sheet, time, column("front_x_m"), g_.gauge_x);
+  energy_metrics(sheet, time, column("window_kinetic_energy_j_per_m"));
+  const std::vector<double> depth = column("flow_depth_m");
+  if (n_barriers == 0) {
+    const auto deepest = std::max_element(depth.begin(), depth.end());
+    sheet.set("flow_depth_max_m", *deepest);
+    sheet.set("flow_depth_max_time_s", time[static_cast<std::size_t>(deepest - depth.begin())]);
+    const double speed = passing_time(time, column("front_x_m"), g_.gauge_x) < 0.0 ? -1.0 : 0.0;
+    if (speed == 0.0 && *deepest > 0.0) {
+      const double t0 = passing_time(time, column("front_x_m"), g_.gauge_x - 0.1);
+      const double t1 = passing_time(time, column("front_x_m"), g_.gauge_x);
+      sheet.set("froude_number", 0.1 / (t1 - t0) /
+                                     std::sqrt(scene_.gravity * std::cos(scene_.slope) * *deepest));
+    }
+    return sheet.in_order(0);
+  }
+  for (const char* key : {"flow_depth_max_m", "flow_depth_max_time_s", "froude_number"}) {
+    sheet.absent(key, "gauged in an open channel only: here the barrier backs the flow up");
+  }
+
+  const double released_volume = g_.released_mass / scene_.material.density;
+  const std::vector<double> retained = column("barrier_1_retention_efficiency");
+  sheet.set("retention_efficiency", retained.back());
+  sheet.set("retention_efficiency_total",
+            value(time.size() - 1,
+                  "barrier_" + std::to_string(n_barriers) + "_retention_efficiency"));
+  sheet.set("overflow_volume_m3_per_m", (1.0 - retained.back()) * released_volume);
+  sheet.set("peak_overflow_discharge_m2_s", peak_loss_rate(time, retained) * released_volume);
+
+  const auto impact = launch_.impact();
+  if (impact) {
+    sheet.set("impact_time_s", impact->time);
+    sheet.set("impact_x_m", impact->x);
+    sheet.set("launch_length_m", impact->x - scene_.barriers.front().foot_x);
+    sheet.set("landing_speed_m_s", impact->landing_speed);
+  } else {
+    for (const char* key : {"impact_time_s", "impact_x_m", "launch_length_m", "landing_speed_m_s"}) {
+      sheet.absent(key, "less than 0.5 % of the released mass landed beyond the first barrier");
+    }
+  }
+  if (const auto launch = launch_.launch()) {
+    sheet.set("launch_angle_deg", launch->angle / degree);
+    sheet.set("launch_speed_m_s", launch->speed);
+    sheet.set("ballistic_launch_length_m", launch->x - scene_.barriers.front().foot_x +
+                                               ballistic_distance(scene_, *launch));
+  } else {
+    for (const char* key : {"launch_angle_deg", "launch_speed_m_s", "ballistic_launch_length_m"}) {
+      sheet.absent(key, "less than 0.5 % of the released mass crossed the first barrier's line");
+    }
+  }
+
+  const std::vector<double> dead_zone = column("dead_zone_length_m");
+  std::size_t reading = time.size() - 1;
+  if (impact) {
+    while (reading > 0 && time[reading] > impact->time) --reading;
+  }
+  sheet.set("dead_zone_length_m", dead_zone[reading]);
+  if (const auto& deflector = scene_.barriers.front().deflector) {
+    sheet.set("dead_zone_ratio", dead_zone[reading] / deflector->length);
+  } else {
+    sheet.absent("dead_zone_ratio", "the first barrier has no deflector");
+  }
+
+  for (int k = 1; k <= n_barriers; ++k) {
+    const std::string b = "barrier_" + std::to_string(k) + "_";
+    const auto index = static_cast<std::size_t>(k - 1);
+    const PeakLoad& peak = loads_.peaks()[index];
+    const std::vector<double> run_up = column(b + "run_up_height_m");
+    const double held = value(time.size() - 1, b + "retention_efficiency");
+    sheet.set(b + "retention_efficiency", held);
+    sheet.set(b + "overtopping_volume_m3_per_m", (1.0 - held) * released_volume);
+    sheet.set(b + "peak_force_n_per_m", peak.force);
+    sheet.set(b + "peak_moment_nm_per_m", peak.moment);
+    if (peak.force_time >= 0.0) {
+      sheet.set(b + "peak_force_time_s", peak.force_time);
+    } else {
+      sheet.absent(b + "peak_force_time_s", "nothing reached the barrier");
+    }
+    if (arrival_[index] >= 0.0) {
+      sheet.set(b + "arrival_time_s", arrival_[index]);
+      sheet.set(b + "run_up_height_m", *std::max_element(run_up.begin(), run_up.end()));
+    } else {
+      sheet.absent(b + "arrival_time_s", "too little reached the barrier");
+      sheet.absent(b + "run_up_height_m", "too little reached the barrier");
+    }
+  }
+  return sheet.in_order(n_barriers);
+}
+
+}  // namespace parapet::solver

@@ -1,0 +1,125 @@
+#include "recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "channel_gauge.hpp"
+#include "retention.hpp"
+
+namespace parapet::solver {
+namespace {
+
+GaugeScene gauge_scene(const Scene& scene, const Flow& flow) {
+  GaugeScene g;
+  g.scene = &scene;
+  for (const Barrier& barrier : scene.barriers) {
+    const Vec2 stem = stem_direction(scene, barrier);
+    g.lines.push_back({{barrier.foot_x, 0.0}, {stem.z, -stem.x}});
+  }
+  g.gauge_x = scene.barriers.empty() ? scene.monitor_x : scene.barriers.front().foot_x;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(flow.fluid().n); ++i) {
+    g.released_mass += flow.fluid().mass[i];
+  }
+  g.spacing = flow.setup().numerics.spacing;
+  return g;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Scene& scene, const Flow& flow)
+    : scene_(scene),
+      g_(gauge_scene(scene_, flow)),
+      launch_(g_),
+      loads_(scene.barriers.size()),
+      arrival_(scene.barriers.size(), -1.0) {
+  series_.columns = {"time_s",
+                     "kinetic_energy_j_per_m",
+                     "window_kinetic_energy_j_per_m",
+                     "potential_energy_j_per_m",
+                     "front_x_m",
+                     "flow_depth_m",
+                     "max_speed_m_s",
+                     "left_mass_kg_per_m"};
+  if (!scene.barriers.empty()) {
+    series_.columns.push_back("landed_share");
+    series_.columns.push_back("dead_zone_length_m");
+  }
+  for (std::size_t k = 1; k <= scene.barriers.size(); ++k) {
+    const std::string b = "barrier_" + std::to_string(k) + "_";
+    for (const char* name : {"retention_efficiency", "run_up_height_m", "force_x_n_per_m",
+                             "force_z_n_per_m", "moment_nm_per_m"}) {
+      series_.columns.push_back(b + name);
+    }
+  }
+}
+
+void Recorder::sample(Flow& flow) {
+  const Fluid& f = flow.fluid();
+  const double time = flow.time();
+  const double last = series_.rows.empty() ? 0.0 : series_.rows.back().front();
+  double potential = 0.0, fastest = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    potential -= f.mass[i] * dot(flow.setup().gravity, {f.x[i], f.z[i]});
+    fastest = std::max(fastest, f.u[i] * f.u[i] + f.w[i] * f.w[i]);
+  }
+  const double energy = total_kinetic_energy(f);
+  peak_energy_ = std::max(peak_energy_, energy);
+  std::vector<double> row{time,
+                          energy,
+                          window_kinetic_energy(g_, f),
+                          potential,
+                          front_position(g_, f, flow.left_mass()),
+                          flow_depth(g_, f),
+                          std::sqrt(fastest),
+                          flow.left_mass()};
+  if (!g_.lines.empty()) {
+    row.push_back(launch_.landed_share());
+    row.push_back(dead_zone_length(g_, f));
+  }
+  const auto loads = loads_.read(flow, time - last, time);
+  for (std::size_t k = 0; k < g_.lines.size(); ++k) {
+    if (arrival_[k] < 0.0 && mass_share_at_line(g_, g_.lines[k], f) >= 0.005) arrival_[k] = time;
+    row.push_back(retention_efficiency(g_, g_.lines[k], f));
+    row.push_back(run_up_height(g_, g_.lines[k], f));
+    row.push_back(loads[k].force.x);
+    row.push_back(loads[k].force.z);
+    row.push_back(loads[k].moment);
+  }
+  series_.rows.push_back(std::move(row));
+  inside_ = std::max<std::int64_t>(inside_, flow.particles_inside_walls());
+}
+
+double Recorder::value(std::size_t row, const std::string& name) const {
+  const auto at = std::find(series_.columns.begin(), series_.columns.end(), name);
+  return series_.rows[row][static_cast<std::size_t>(at - series_.columns.begin())];
+}
+
+std::vector<double> Recorder::column(const std::string& name) const {
+  std::vector<double> values;
+  for (std::size_t r = 0; r < series_.rows.size(); ++r) values.push_back(value(r, name));
+  return values;
+}
+
+bool Recorder::settled(const SettledRule& rule) const {
+  if (!rule.enabled || series_.rows.empty()) return false;
+  const double now = series_.rows.back().front();
+  if (now < rule.earliest_time || now < rule.window) return false;
+  std::vector<double> low(g_.lines.size(), 2.0), high(g_.lines.size(), -1.0);
+  for (std::size_t r = series_.rows.size(); r-- > 0;) {
+    if (series_.rows[r].front() < now - rule.window) break;
+    if (series_.rows[r][1] > rule.kinetic_energy_share * peak_energy_) return false;
+    for (std::size_t k = 0; k < g_.lines.size(); ++k) {
+      const double retained =
+          value(r, "barrier_" + std::to_string(k + 1) + "_retention_efficiency");
+      low[k] = std::min(low[k], retained);
+      high[k] = std::max(high[k], retained);
+    }
+  }
+  for (std::size_t k = 0; k < g_.lines.size(); ++k) {
+    if (high[k] - low[k] > rule.retention_change) return false;
+  }
+  return true;
+}
+
+}  // namespace parapet::solver

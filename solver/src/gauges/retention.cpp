@@ -1,0 +1,51 @@
+#include "retention.hpp"
+
+#include <algorithm>
+
+namespace parapet::solver {
+namespace {
+
+constexpr double run_up_depth = 0.040;       // [m] looked at upstream of the line
+constexpr double run_up_mass_share = 0.001;  // of the released mass, so that droplets do not decide
+constexpr double arrival_depth = 0.020;      // [m]
+
+}  // namespace
+
+double retention_efficiency(const GaugeScene& g, const BarrierLine& line, const Fluid& f) {
+  double upstream = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    if (line.offset({f.x[i], f.z[i]}) < 0.0) upstream += f.mass[i];
+  }
+  return upstream / g.released_mass;
+}
+
+double run_up_height(const GaugeScene& g, const BarrierLine& line, const Fluid& f) {
+  struct Parcel {
+    double z, mass;
+  };
+  std::vector<Parcel> parcels;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    const double s = line.offset({f.x[i], f.z[i]});
+    if (s < 0.0 && s > -run_up_depth) parcels.push_back({f.z[i], f.mass[i]});
+  }
+  std::sort(parcels.begin(), parcels.end(), [](const Parcel& a, const Parcel& b) {
+    return a.z > b.z || (a.z == b.z && a.mass > b.mass);
+  });
+  double mass = 0.0;
+  for (const Parcel& p : parcels) {
+    mass += p.mass;
+    if (mass >= run_up_mass_share * g.released_mass) return p.z;
+  }
+  return 0.0;
+}
+
+double mass_share_at_line(const GaugeScene& g, const BarrierLine& line, const Fluid& f) {
+  double mass = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    const double s = line.offset({f.x[i], f.z[i]});
+    if (s < 0.0 && s > -arrival_depth) mass += f.mass[i];
+  }
+  return mass / g.released_mass;
+}
+
+}  // namespace parapet::solver

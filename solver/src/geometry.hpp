@@ -1,0 +1,55 @@
+// Solid surfaces as directed faces, and which of them a segment meets first.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "parapet/solver/scene.hpp"
+
+namespace parapet::solver {
+
+// A straight piece of surface from a to b. Its normal n points into the fluid.
+struct Face {
+  Vec2 a, b;
+  Vec2 tangent, normal;  // unit vectors
+  double length = 0.0;   // [m]
+  int body = 0;          // index of the solid it belongs to
+  int barrier = -1;      // index of the barrier, or -1
+  Vec2 velocity;         // of the wall [m/s]
+  bool reaches_past_a = true;  // the wall goes on behind a neighbouring face (fluid corner < 180 deg)
+  bool reaches_past_b = true;
+  double points_from = 0.0;    // wall points are laid out over [points_from, points_to] of [0, length]
+  double points_to = 0.0;
+};
+
+// A solid body: the polygon that its faces enclose, clockwise so that normals point outwards.
+// Empty for the unbounded bed and back wall.
+struct Body {
+  std::vector<Vec2> outline;
+};
+
+struct Solids {
+  std::vector<Face> faces;
+  std::vector<Body> bodies;
+};
+
+// A face with its derived members; the normal is the left-hand side of a -> b.
+Face make_face(Vec2 a, Vec2 b, int body, int barrier);
+
+// Adds a clockwise outline. At corners where the fluid's angle is less than 180 degrees the wall goes
+// on behind the neighbouring face. A body that stands on the bed has no face along its last edge,
+// and its outer faces go on into the bed.
+void add_outline(Solids& solids, const std::vector<Vec2>& outline, int barrier, bool on_bed);
+
+// Parameter in [0, 1] at which p -> q passes through the face from its fluid side, or none.
+std::optional<double> crossing(const Face& face, Vec2 p, Vec2 q);
+
+// Index into faces of the first face that p -> q passes through from its fluid side; -1 for none.
+int first_crossed(std::span<const Face> faces, std::span<const int> candidates, Vec2 p, Vec2 q);
+
+bool inside_polygon(const std::vector<Vec2>& outline, Vec2 p);
+
+double distance_to_segment(Vec2 a, Vec2 b, Vec2 p);
+
+}  // namespace parapet::solver

@@ -1,0 +1,21 @@
+// Loops over particles in fixed blocks. A block writes only its own particles and sums are added in
+// block order, so the number of threads cannot change a bit.
+#pragma once
+
+#include <algorithm>
+
+namespace parapet::solver {
+
+constexpr int block_size = 128;
+
+// Calls body(begin, end) for every block of [0, n).
+template <class Body>
+void for_blocks(int n, int threads, const Body& body) {
+  const int blocks = (n + block_size - 1) / block_size;
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && blocks > 1)
+  for (int b = 0; b < blocks; ++b) {
+    body(b * block_size, std::min(n, (b + 1) * block_size));
+  }
+}
+
+}  // namespace parapet::solver

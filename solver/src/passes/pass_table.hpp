@@ -1,0 +1,37 @@
+// The neighbour sums, each over a range of particles; one table per instruction set.
+#pragma once
+
+#include <string_view>
+
+#include "../flow_arrays.hpp"
+
+namespace parapet::solver {
+
+struct PassTable {
+  const char* name;
+  // Pressure and velocity of the fluid at wall points (Adami et al. 2012); range over active_wall.
+  void (*extrapolate_walls)(const FlowArrays&, int begin, int end);
+  // All sums of the renormalised gradients, shifting and strain rate.
+  void (*gradient_sums)(const FlowArrays&, const GradientSums&, int begin, int end);
+  // Pressure part of Eq. 6 [m/s2].
+  void (*pressure_force)(const FlowArrays&, double* ax, double* az, int begin, int end);
+  // Viscous part of Eq. 6, added to ax, az.
+  void (*viscous_force)(const FlowArrays&, double* ax, double* az, int begin, int end);
+  // Density rate of Eq. 6-7 and the momentum terms of the shifting.
+  void (*density_rate)(const FlowArrays&, double* density_rate, double* shift_ax,
+                       double* shift_az, int begin, int end);
+  void (*viscous_matrix)(const FlowArrays&, const ViscousView&, int begin, int end);
+  // y = A v over the fluid.
+  void (*viscous_product)(const FlowArrays&, const ViscousView&, const double* vx,
+                          const double* vz, double* yx, double* yz, int begin, int end);
+  // Force of the fluid on wall points [N/m]; range over active_wall.
+  void (*wall_load)(const FlowArrays&, double* fx, double* fz, int begin, int end);
+};
+
+// The fastest table that this machine can run. Every table gives the same bits.
+const PassTable& best_passes();
+
+// By name ("x86_64", "x86_64_v3", "x86_64_v4"); nullptr when this machine or build lacks it.
+const PassTable* find_passes(std::string_view name);
+
+}  // namespace parapet::solver

@@ -1,0 +1,39 @@
+// Pressure part of Eq. 6: -(1/rho_i) sum (p_j + p_i) grad W V_j. Where the tensile-instability
+// control acts (Sun et al. 2018: p_i < 0 away from the free surface) p_i changes sign.
+#include "pair_geometry.hpp"
+#include "passes.hpp"
+
+namespace parapet::solver::PARAPET_ISA {
+
+template <bool periodic>
+static void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
+  const FlowConstants& c = a.constants;
+  const FluidView& f = a.fluid;
+  for (int i = begin; i < end; ++i) {
+    v8d sx = splat(0.0), sz = sx;
+    const v8d own = splat(f.tic[i] * f.pressure[i]);
+    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
+      const std::int32_t* j = a.rows.index + s;
+      const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
+      const v8d scale = (gather(f.pressure, j) + own) * (g.f * gather(f.volume, j));
+      sx += scale * g.rx;
+      sz += scale * g.rz;
+    }
+    for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
+      const std::int32_t* k = a.rows.index + s;
+      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
+      const v8d scale = (gather(a.wall.pressure, k) + own) * (g.f * gather(a.wall.volume, k));
+      sx += scale * g.rx;
+      sz += scale * g.rz;
+    }
+    const double factor = -1.0 / f.density[i];
+    ax[i] = factor * sum_lanes(sx);
+    az[i] = factor * sum_lanes(sz);
+  }
+}
+
+void pressure_force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
+  PARAPET_PASS(force, a, ax, az, begin, end);
+}
+
+}  // namespace parapet::solver::PARAPET_ISA

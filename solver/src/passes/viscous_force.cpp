@@ -1,0 +1,131 @@
+// Viscous part of Eq. 6 in the form that conserves angular momentum (Monaghan and Gingold 1983):
+// (1/rho_i) sum 8 eta_ij (u_ij . r_ij)/r_ij^2 grad W V_j, eta_ij = 2 eta_i eta_j/(eta_i + eta_j),
+// where 8 = 2(d + 2) makes the sum approximate div(2 eta S). Walls carry the particle's viscosity.
+#include "pair_geometry.hpp"
+#include "passes.hpp"
+
+namespace parapet::solver::PARAPET_ISA {
+namespace {
+
+constexpr double alpha = 8.0;
+
+PARAPET_INLINE v8d harmonic_mean(v8d eta_i, v8d eta_j) {
+  // 1e-300 keeps 0/0 away for an inviscid pair
+  return splat(2.0) * eta_i * eta_j / (eta_i + eta_j + splat(1e-300));
+}
+
+template <bool periodic>
+void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
+  const FlowConstants& c = a.constants;
+  const FluidView& f = a.fluid;
+  for (int i = begin; i < end; ++i) {
+    v8d sx = splat(0.0), sz = sx;
+    const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), eta_i = splat(f.viscosity[i]);
+    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
+      const std::int32_t* j = a.rows.index + s;
+      const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
+      const v8d approach = (ui - gather(f.u, j)) * g.rx + (wi - gather(f.w, j)) * g.rz;
+      const v8d scale = harmonic_mean(eta_i, gather(f.viscosity, j)) * (g.f * gather(f.volume, j)) *
+                        (approach / safe_r2(c, g.r2));
+      sx += scale * g.rx;
+      sz += scale * g.rz;
+    }
+    for (int s = a.rows.wall_begin[i]; c.no_slip && s < a.rows.end[i]; s += lanes) {
+      const std::int32_t* k = a.rows.index + s;
+      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
+      const v8d wall_u = splat(2.0) * gather(a.wall.u, k) - gather(a.wall.fluid_u, k);
+      const v8d wall_w = splat(2.0) * gather(a.wall.w, k) - gather(a.wall.fluid_w, k);
+      const v8d approach = (ui - wall_u) * g.rx + (wi - wall_w) * g.rz;
+      const v8d scale =
+          eta_i * (g.f * gather(a.wall.volume, k)) * (approach / safe_r2(c, g.r2));
+      sx += scale * g.rx;
+      sz += scale * g.rz;
+    }
+    const double factor = alpha / f.density[i];
+    ax[i] += factor * sum_lanes(sx);
+    az[i] += factor * sum_lanes(sz);
+  }
+}
+
+// The same sum as a symmetric matrix for the implicit step: (M + dt A) u = M u* + wall part.
+// At walls the own velocity stands for the mirrored one inside the matrix and the difference to
+// Adami's interpolated velocity is lagged to the right-hand side, so that the matrix stays
+// symmetric positive definite while a steady state is exactly that of viscous_force.
+template <bool periodic>
+void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
+  const FlowConstants& c = a.constants;
+  const FluidView& f = a.fluid;
+  for (int i = begin; i < end; ++i) {
+    const v8d zero = splat(0.0);
+    v8d dxx = zero, dxz = zero, dzz = zero;
+    const v8d eta_i = splat(f.viscosity[i]);
+    const double strength = alpha * v.dt * f.volume[i];
+    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
+      const std::int32_t* j = a.rows.index + s;
+      const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
+      const v8d weight = splat(strength) * harmonic_mean(eta_i, gather(f.viscosity, j)) *
+                         (-g.f * gather(f.volume, j));
+      const v8d b = sqrt_lanes(weight / safe_r2(c, g.r2));
+      const v8d bx = b * g.rx, bz = b * g.rz;
+      store(v.bx + s, bx);
+      store(v.bz + s, bz);
+      dxx += bx * bx;
+      dxz += bx * bz;
+      dzz += bz * bz;
+    }
+    v8d wxx = zero, wxz = zero, wzz = zero, rx = zero, rz = zero;
+    for (int s = a.rows.wall_begin[i]; c.no_slip && s < a.rows.end[i]; s += lanes) {
+      const std::int32_t* k = a.rows.index + s;
+      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
+      const v8d weight = splat(strength) * eta_i * (-g.f * gather(a.wall.volume, k)) /
+                         safe_r2(c, g.r2);
+      const v8d mirror_u = splat(2.0) * gather(a.wall.u, k) - gather(a.wall.fluid_u, k);
+      const v8d mirror_w = splat(2.0) * gather(a.wall.w, k) - gather(a.wall.fluid_w, k);
+      // -w (u_i - mirror) = -w 2 u_i(new) + w (u_i(old) + mirror)
+      const v8d lagged =
+          weight * ((splat(f.u[i]) + mirror_u) * g.rx + (splat(f.w[i]) + mirror_w) * g.rz);
+      rx += lagged * g.rx;
+      rz += lagged * g.rz;
+      wxx += weight * g.rx * g.rx;
+      wxz += weight * g.rx * g.rz;
+      wzz += weight * g.rz * g.rz;
+    }
+    v.wall_xx[i] = v.mass[i] + 2.0 * sum_lanes(wxx);
+    v.wall_xz[i] = 2.0 * sum_lanes(wxz);
+    v.wall_zz[i] = v.mass[i] + 2.0 * sum_lanes(wzz);
+    v.diagonal_xx[i] = v.wall_xx[i] + sum_lanes(dxx);
+    v.diagonal_xz[i] = v.wall_xz[i] + sum_lanes(dxz);
+    v.diagonal_zz[i] = v.wall_zz[i] + sum_lanes(dzz);
+    v.rhs_x[i] = sum_lanes(rx);
+    v.rhs_z[i] = sum_lanes(rz);
+  }
+}
+
+}  // namespace
+
+void viscous_force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
+  PARAPET_PASS(force, a, ax, az, begin, end);
+}
+
+void viscous_matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
+  PARAPET_PASS(matrix, a, v, begin, end);
+}
+
+void viscous_product(const FlowArrays& a, const ViscousView& v, const double* vx, const double* vz,
+                     double* yx, double* yz, int begin, int end) {
+  for (int i = begin; i < end; ++i) {
+    v8d sx = splat(0.0), sz = sx;
+    const v8d xi = splat(vx[i]), zi = splat(vz[i]);
+    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
+      const std::int32_t* j = a.rows.index + s;
+      const v8d bx = load(v.bx + s), bz = load(v.bz + s);
+      const v8d along = bx * (xi - gather(vx, j)) + bz * (zi - gather(vz, j));
+      sx += along * bx;
+      sz += along * bz;
+    }
+    yx[i] = v.wall_xx[i] * vx[i] + v.wall_xz[i] * vz[i] + sum_lanes(sx);
+    yz[i] = v.wall_xz[i] * vx[i] + v.wall_zz[i] * vz[i] + sum_lanes(sz);
+  }
+}
+
+}  // namespace parapet::solver::PARAPET_ISA

@@ -1,0 +1,80 @@
+#include "shifting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parapet/solver/vec2.hpp"
+#include "rheology.hpp"
+
+namespace parapet::solver {
+namespace {
+
+constexpr double lambda_detached = 0.55;  // Eq. 10: below it a particle is spray
+constexpr double lambda_interior = 0.90;  // Eq. 10: above it the surface is out of reach
+
+// Below this the tensor says too little about the neighbourhood to be inverted: a lone pair or a
+// thread of particles has an eigenvalue near zero.
+constexpr double lambda_invertible = 0.15;
+
+struct Symmetric {
+  double xx, xz, zz;
+  double smallest_eigenvalue() const {
+    const double mean = 0.5 * (xx + zz), half = 0.5 * (xx - zz);
+    return mean - std::sqrt(half * half + xz * xz);
+  }
+  Vec2 solve(Vec2 v) const {
+    const double inverse = 1.0 / (xx * zz - xz * xz);
+    return {inverse * (zz * v.x - xz * v.z), inverse * (xx * v.z - xz * v.x)};
+  }
+};
+
+Vec2 shifting_velocity(Vec2 sum, Vec2 normal_sum, double lambda, const ShiftingSettings& s) {
+  if (lambda < lambda_detached || s.factor == 0.0) return {};
+  Vec2 shift = (-2.0 * s.smoothing_length * s.max_speed * s.factor) * sum;  // Eq. 9
+  const double size = norm(shift), cap = 0.5 * s.max_speed;
+  if (size > cap && size > 0.0) shift = (cap / size) * shift;  // Eq. 11
+  if (lambda > lambda_interior) return shift;
+  // sum grad W V points into the fluid; its opposite is the surface normal of Eq. 10
+  const double length = norm(normal_sum);
+  if (length <= 0.0) return shift;
+  const Vec2 normal = (-1.0 / length) * normal_sum;
+  const double outward = dot(shift, normal);
+  return outward >= 0.0 ? shift - outward * normal : shift;
+}
+
+}  // namespace
+
+void finish_gradients(Fluid& f, const ShiftingSettings& settings, int begin, int end) {
+  const GradientSums s = f.gradient_sums();
+  for (int i = begin; i < end; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Symmetric all{s.bxx[i], s.bxz[i], s.bzz[i]};
+    const Symmetric fluid{s.fluid_bxx[i], s.fluid_bxz[i], s.fluid_bzz[i]};
+    const double lambda = all.smallest_eigenvalue();
+    f.lambda[k] = lambda;
+    const Vec2 shift = shifting_velocity({s.shift_x[i], s.shift_z[i]},
+                                         {s.normal_x[i], s.normal_z[i]}, lambda, settings);
+    f.shift_u[k] = shift.x;
+    f.shift_w[k] = shift.z;
+    f.tic[k] = f.pressure[k] < 0.0 && lambda > lambda_interior ? -1.0 : 1.0;
+
+    const Vec2 density_sum{s.density_x[i], s.density_z[i]};
+    const Vec2 gradient =
+        fluid.smallest_eigenvalue() > lambda_invertible ? fluid.solve(density_sum) : Vec2{};
+    f.density_grad_x[k] = gradient.x;
+    f.density_grad_z[k] = gradient.z;
+
+    Vec2 du{s.ux[i], s.uz[i]}, dw{s.wx[i], s.wz[i]};
+    const Symmetric& tensor = settings.no_slip ? all : fluid;
+    if (tensor.smallest_eigenvalue() > lambda_invertible) {
+      du = tensor.solve(du);
+      dw = tensor.solve(dw);
+    }
+    const double a = 0.5 * (du.x - dw.z), b = 0.5 * (du.z + dw.x);
+    f.quadrature[k] = viscous_quadrature(s.moment_pp[i], s.moment_pq[i], s.moment_qq[i], a, b);
+    const double shear = du.z + dw.x;
+    f.shear_rate[k] = std::sqrt(2.0 * du.x * du.x + 2.0 * dw.z * dw.z + shear * shear);
+  }
+}
+
+}  // namespace parapet::solver

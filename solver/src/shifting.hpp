@@ -1,0 +1,20 @@
+// From the sums of the gradient pass to what the equations need, particle by particle:
+// renormalised gradients (Eq. 8), surface indicator and shifting velocity (Eq. 9-11), shear rate
+// (Eq. 13) and the switch of the tensile-instability control.
+#pragma once
+
+#include "fluid.hpp"
+
+namespace parapet::solver {
+
+struct ShiftingSettings {
+  double smoothing_length;  // [m]
+  double max_speed;         // u_max of Eq. 9 [m/s]
+  double factor;            // 1 is the paper's
+  bool no_slip;
+};
+
+// Fills lambda, tic, shift_u/w, density_grad and shear_rate of particles [begin, end).
+void finish_gradients(Fluid& fluid, const ShiftingSettings& settings, int begin, int end);
+
+}  // namespace parapet::solver

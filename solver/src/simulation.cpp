@@ -1,0 +1,120 @@
+#include "parapet/solver/simulation.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "channel.hpp"
+#include "gauges/recorder.hpp"
+
+namespace parapet::solver {
+namespace {
+
+void require_sound_input(const Scene& scene, const Numerics& numerics, const RunOptions& options) {
+  std::string text;
+  for (const auto& errors : {scene_errors(scene), numerics_errors(numerics), run_errors(options)}) {
+    for (const std::string& error : errors) text += (text.empty() ? "" : "; ") + error;
+  }
+  if (!text.empty()) throw std::invalid_argument(text);
+}
+
+void show_frame(const Flow& flow, const Callbacks& callbacks) {
+  if (!callbacks.on_frame) return;
+  const Fluid& f = flow.fluid();
+  const auto n = static_cast<std::size_t>(f.n);
+  const std::size_t points = flow.walls().size();
+  const auto part = [](const std::vector<double>& values, std::size_t count) {
+    return std::span<const double>(values.data(), count);
+  };
+  callbacks.on_frame({flow.time(), part(f.x, n), part(f.z, n), part(f.u, n), part(f.w, n),
+                      part(f.density, n), part(f.pressure, n), part(f.viscosity, n),
+                      std::span<const std::int32_t>(f.id.data(), n),
+                      part(flow.walls().x, points), part(flow.walls().z, points)});
+}
+
+Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std::string reason) {
+  Result result;
+  result.stop_reason = stop_reason;
+  result.reason = std::move(reason);
+  switch (stop_reason) {
+    case StopReason::end_time:
+    case StopReason::settled:
+    case StopReason::drained: result.status = Status::ok; break;
+    case StopReason::cancelled: result.status = Status::cancelled; break;
+    default: result.status = Status::failed;
+  }
+  result.stop_time = flow.time();
+  result.metrics = recorder.metrics();
+  result.series = recorder.take_series();
+  result.statistics = flow.statistics();
+  result.statistics.max_particles_inside_walls = recorder.max_particles_inside_walls();
+  if (result.statistics.steps > 0) {
+    result.statistics.mean_time_step = flow.time() / static_cast<double>(result.statistics.steps);
+  }
+  MassBalance& mass = result.mass;
+  const Fluid& f = flow.fluid();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) mass.in_domain += f.mass[i];
+  for (const InitialParticle& p : flow.setup().particles) mass.released += p.mass;
+  mass.left_domain = flow.left_mass();
+  mass.particles_released = static_cast<std::int64_t>(flow.setup().particles.size());
+  mass.particles_left = static_cast<std::int64_t>(flow.departures().size());
+  return result;
+}
+
+struct Ending {
+  StopReason stop_reason;
+  std::string reason;
+};
+
+Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Callbacks& callbacks) {
+  const auto whole = [](double time, double interval) {
+    return static_cast<std::int64_t>(std::llround(time / interval));
+  };
+  const std::int64_t samples = std::max<std::int64_t>(1, whole(options.stop_time, options.series_interval));
+  const std::int64_t frame_every =
+      options.frame_interval > 0.0
+          ? std::max<std::int64_t>(1, whole(options.frame_interval, options.series_interval))
+          : 0;
+  recorder.sample(flow);
+  if (frame_every > 0) show_frame(flow, callbacks);
+  for (std::int64_t sample = 1; sample <= samples; ++sample) {
+    const double target = sample == samples ? options.stop_time
+                                            : static_cast<double>(sample) * options.series_interval;
+    while (target - flow.time() > 1e-9 * options.series_interval) {
+      if (auto failure = flow.step(target - flow.time())) {
+        return {failure->stop_reason,
+                failure->reason + " at t = " + std::to_string(flow.time()) + " s"};
+      }
+      recorder.after_step(flow);
+      if (flow.fluid().n == 0) {
+        recorder.sample(flow);
+        return {StopReason::drained, ""};
+      }
+    }
+    recorder.sample(flow);
+    if (frame_every > 0 && sample % frame_every == 0) show_frame(flow, callbacks);
+    if (callbacks.on_progress &&
+        !callbacks.on_progress({flow.time(), options.stop_time, flow.statistics().steps})) {
+      return {StopReason::cancelled, "cancelled"};
+    }
+    if (recorder.settled(options.settled)) return {StopReason::settled, ""};
+  }
+  return {StopReason::end_time, ""};
+}
+
+}  // namespace
+
+Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& options,
+                const Callbacks& callbacks) {
+  require_sound_input(scene, numerics, options);
+  const auto start = std::chrono::steady_clock::now();
+  Flow flow(channel_setup(scene, numerics, options.threads));
+  Recorder recorder(scene, flow);
+  Ending ending = run(flow, recorder, options, callbacks);
+  Result result = finish(flow, recorder, ending.stop_reason, std::move(ending.reason));
+  result.statistics.wall_time =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace parapet::solver

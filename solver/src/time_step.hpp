@@ -1,0 +1,20 @@
+// The largest stable time step: acoustic, body force, and viscous when viscosity is explicit.
+#pragma once
+
+#include "parapet/solver/numerics.hpp"
+
+namespace parapet::solver {
+
+struct TimeStepInput {
+  double smoothing_length;   // [m]
+  double max_speed;          // [m/s]
+  double max_acceleration;   // [m/s2]
+  double max_viscosity;      // [Pa s]; 0 when viscosity is implicit
+  double density;            // [kg/m3]
+  double acoustic_cfl;
+};
+
+// min(cfl h/(c_s + u), cfl sqrt(h/a), cfl h^2 rho/eta) [s].
+double stable_time_step(const Numerics& numerics, const TimeStepInput& input);
+
+}  // namespace parapet::solver
