@@ -55,7 +55,7 @@ std::vector<AlgorithmEntry> make_table() {
                          "Gablonsky's DIRECT; constraints only as allowed or not")),
       constrained(global("ORIG_DIRECT_L", false, 2, 1,
                          "Gablonsky's DIRECT_L; constraints only as allowed or not")),
-      global("CRS2_LM", true, 2, 4, "controlled random search; needs hundreds of evaluations"),
+      global("CRS2_LM", true, 5, 6, "controlled random search; needs hundreds of evaluations"),
       constrained(global("ISRES", true, 0, 20,
                          "evolution strategy with constraint ranking; needs many evaluations")),
       global("ESCH", true, 0, 20, "evolutionary; needs many evaluations"),
@@ -65,9 +65,10 @@ std::vector<AlgorithmEntry> make_table() {
       with_local(global("MLSL", true, 0, 4, "local searches from random points")),
       with_local(global("MLSL_LDS", false, 0, 4, "local searches from low-discrepancy points")),
   };
-  auto ags = std::find_if(table.begin(), table.end(),
-                          [](const AlgorithmEntry& entry) { return entry.info.name == "AGS"; });
-  ags->max_variables = 5;
+  for (AlgorithmEntry& entry : table) {
+    if (entry.info.name == "AGS") entry.max_variables = 5;
+    if (entry.info.name == "PRAXIS") entry.info.randomized = true;  // its random steps
+  }
   AlgorithmEntry auglag{.info = {.name = "AUGLAG",
                                  .inequality_constraints = true,
                                  .note = "augmented Lagrangian around local_algorithm (Parapet's "
@@ -180,7 +181,7 @@ int population_for(const AlgorithmEntry& entry, int n_variables, int max_evaluat
   const std::string& name = entry.info.name;
   const int affordable = max_evaluations / 4;
   if (name == "CRS2_LM") {
-    return std::clamp(affordable, n_variables + 2, 10 * (n_variables + 1));
+    return std::clamp(affordable, 5 * (n_variables + 1), 10 * (n_variables + 1));
   }
   if (name == "ISRES") return std::clamp(affordable, 10, 20 * (n_variables + 1));
   if (name == "ESCH") return std::clamp(affordable, 8, 40);

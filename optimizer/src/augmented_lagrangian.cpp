@@ -103,7 +103,7 @@ struct Subproblem {
       if (search.ledger.evaluations() > before) {
         seen.push_back(reply);
         repeats = 0;
-      } else if (search.algorithm.info.global && ++repeats > 5000 + 5 * before) {
+      } else if (search.algorithm.info.global && ++repeats > 2000 + 2 * before) {
         throw ShareUsed{};
       }
       Reply merged{.objective = lagrangian.value(reply), .constraints = {}};

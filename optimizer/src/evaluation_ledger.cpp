@@ -63,8 +63,8 @@ void EvaluationLedger::check_limits() const {
 }
 
 void EvaluationLedger::guard_against_stalling() {
-  constexpr int allowed = 10000;  // DIRECT refining a refused half of a box stays well below it
-  if (++queries_since_evaluation_ <= allowed + 10 * evaluations()) return;
+  constexpr int allowed = 20000;  // ten subproblems of a global algorithm that repeats itself
+  if (++queries_since_evaluation_ <= allowed + 20 * evaluations()) return;
   throw StopSearch{Termination::converged,
                    "the last " + std::to_string(queries_since_evaluation_ - 1) +
                        " points proposed were all evaluated before or refused by the cheap "

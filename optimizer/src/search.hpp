@@ -21,23 +21,7 @@ struct Search {
 };
 
 /// A request with everything that does not change during a search.
-inline SearchRequest base_request(const Search& search, const std::vector<double>& start) {
-  SearchRequest request;
-  request.algorithm = search.algorithm.nlopt_name;
-  if (search.local) request.local_algorithm = search.local->nlopt_name;
-  request.start = start;
-  request.initial_step = search.initial_step;
-  request.tolerance = search.options.relative_tolerance;
-  request.constraint_tolerance = search.options.feasibility_tolerance;
-  request.population =
-      population_for(search.algorithm, search.n_variables, search.options.max_evaluations);
-  if (search.algorithm.info.name == "AGS") {
-    // Its own count, refused points included; the ledger stops it at the real budget.
-    request.evaluation_limit = 20 * search.options.max_evaluations;
-  }
-  request.seed = search.options.seed;
-  return request;
-}
+SearchRequest base_request(const Search& search, const std::vector<double>& start);
 
 /// Hands the constraints, if any, to an algorithm that has them itself. A local algorithm that
 /// ends slightly outside (COBYLA does: its linear models cut curved constraints short) is run again
