@@ -113,18 +113,19 @@ TEST(Constraints, CheapOnesAreNeverEvaluatedWhereTheyAreBroken) {
 }
 
 TEST(Constraints, RefusedPointsEndInsteadOfLoopingForEver) {
-  // Only a ball of radius 0.05 around the starting point is allowed, and the objective pulls out
-  // of it: MLSL samples the box at random without end, nearly every point is refused.
+  // Only a ball of radius 1e-10 around the starting point is allowed, a few steps of the search's
+  // grid: ISRES goes on for ever there, and every point that it proposes is refused.
   Known known = zoo::sphere(4);
   known.problem.n_cheap_constraints = 1;
   known.problem.cheap_constraints = [](const Vector& x) {
     double r2 = 0.0;
     for (const double v : x) r2 += (v - 1.5) * (v - 1.5);
-    return Vector{r2 - 1e-8};
+    return Vector{r2 - 1e-20};
   };
   Options options;
   options.algorithm = "ISRES";
   options.max_evaluations = 5000;
+  options.feasibility_tolerance = 0.0;
   options.starts = {Vector(4, 1.5)};
   const auto result = optimize(known.problem, options);
   ASSERT_TRUE(result.best);
