@@ -1,5 +1,6 @@
 #include <muParser.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "findings.hpp"
@@ -31,16 +32,19 @@ bool is_comparison(const std::string& expression) {
          expression.find('?') == std::string::npos;
 }
 
-ExpressionProblem parser_problem(const mu::ParserError& error,
+ExpressionProblem parser_problem(const std::string& expression, const mu::ParserError& error,
                                  const std::vector<std::string>& names) {
   const std::string known = "a formula of " + joined(names);
-  const std::string place = " at character " + std::to_string(error.GetPos() + 1);
+  const std::size_t character = static_cast<std::size_t>(std::max(error.GetPos(), 0)) + 1;
+  const std::string place =
+      " at character " + std::to_string(std::min(character, expression.size() + 1));
   if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
     return {"unknown symbol \"" + error.GetToken() + "\"" + place +
                 did_you_mean(error.GetToken(), names),
             known};
   }
   std::string message = error.GetMsg();
+  message = message.substr(0, message.find(" at position"));  // counted from 0, past the end
   while (!message.empty() && (message.back() == '.' || message.back() == '\n')) message.pop_back();
   return {"cannot be read" + place + ": " + message, known};
 }
@@ -62,7 +66,7 @@ ExpressionProblem expression_problem(const std::string& expression,
       return {"does not depend on any variable", "a formula of " + joined(names)};
     }
   } catch (const mu::ParserError& error) {
-    return parser_problem(error, names);
+    return parser_problem(expression, error, names);
   }
   return {};
 }
@@ -81,7 +85,7 @@ double evaluate_expression(const std::string& expression, const Design& design) 
     const double value = BoundExpression(expression, design).value();
     if (std::isfinite(value)) return value;
   } catch (const mu::ParserError& error) {
-    const ExpressionProblem found = parser_problem(error, names);
+    const ExpressionProblem found = parser_problem(expression, error, names);
     throw fail(found.problem, found.allowed);
   }
   throw fail("has no finite value at " + values, "a formula with a value for every design");

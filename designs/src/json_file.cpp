@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -59,14 +60,25 @@ class DuplicateKeys {
   std::vector<std::string> found_;
 };
 
-/// "line 3, column 5: ..." without the library's own numbering.
-std::string syntax_problem(const Json::exception& error) {
-  std::string text = error.what();
-  for (const char* mark : {"] ", "parse error at ", "parse error: "}) {
+/// "line 3, column 5", counted from 1, of the byte (counted from 1 too) at which the parser
+/// stopped. Its own count is one line off where a number ends a line.
+std::string place_in(const std::string& text, std::size_t byte) {
+  const std::size_t offset = std::min(byte > 0 ? byte - 1 : 0, text.size());
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(offset);
+  const auto line = 1 + std::count(text.begin(), end, '\n');
+  const std::size_t line_break = offset > 0 ? text.rfind('\n', offset - 1) : std::string::npos;
+  const std::size_t column = line_break == std::string::npos ? offset + 1 : offset - line_break;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+/// The library's message without its number and its own place.
+std::string bare_message(const Json::exception& error) {
+  const std::string text = error.what();
+  for (const char* mark : {"syntax error ", "number overflow "}) {
     const std::size_t at = text.find(mark);
-    if (at != std::string::npos && at < 40) text.erase(0, at + std::strlen(mark));
+    if (at != std::string::npos) return text.substr(at);
   }
-  return "is not JSON: " + text;
+  return text;
 }
 
 }  // namespace
@@ -79,8 +91,10 @@ Json parse_json(const std::string& text, const std::string& file) {
   Json json;
   try {
     json = Json::parse(text, std::ref(duplicates));
+  } catch (const Json::parse_error& error) {
+    throw fail("is not JSON: " + place_in(text, error.byte) + ": " + bare_message(error));
   } catch (const Json::exception& error) {
-    throw fail(syntax_problem(error));
+    throw fail("is not JSON: " + bare_message(error));
   } catch (const TooDeep&) {
     throw fail("is nested more than " + std::to_string(deepest_nesting) + " levels deep");
   }

@@ -22,7 +22,8 @@ std::vector<Constraint> read_constraints(const Json& json, int n_barriers,
                                          const std::vector<Variable>& variables,
                                          Findings& findings);
 
-/// Algorithm names are left to the optimiser.
+/// Starting designs are checked against the variables, unless there are none. Algorithm names are
+/// left to the optimiser.
 Method read_method(const Json& json, const std::vector<Variable>& variables, Findings& findings);
 
 /// The study with every default written out.

@@ -75,8 +75,11 @@ Method read_method(const Json& json, const std::vector<Variable>& variables, Fin
   const Json& starts = json.at("starts");
   for (std::size_t k = 0; k < starts.size(); ++k) {
     method.starts.push_back(starts[k].get<Design>());
-    check_design_values(variables, method.starts.back(), child_pointer("/method/starts", k),
-                        findings);
+    // A start cannot be judged by variables that are wrong themselves.
+    if (!variables.empty()) {
+      check_design_values(variables, method.starts.back(), child_pointer("/method/starts", k),
+                          findings);
+    }
   }
   const auto n_starts = static_cast<long>(starts.size()) + method.start_count;
   if (n_starts > method.max_evaluations) {
@@ -105,10 +108,12 @@ StudySpec parse_study(const Json& json, const std::string& file) {
   study.base_case = base->resolved;
   const int n_barriers = static_cast<int>(base->scene.barriers.size());
   study.variables = read_variables(complete.at("variables"), base->resolved, findings);
+  const bool variables_sound = findings.empty();
   study.objectives = read_objectives(complete.at("objectives"), n_barriers, findings);
   study.constraints =
       read_constraints(complete.at("constraints"), n_barriers, study.variables, findings);
-  study.method = read_method(complete.at("method"), study.variables, findings);
+  study.method = read_method(complete.at("method"),
+                             variables_sound ? study.variables : std::vector<Variable>{}, findings);
   if (findings.empty()) check_starts(study, findings);
   findings.throw_if_any();
   study.resolved = resolve_study(study);

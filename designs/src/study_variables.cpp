@@ -168,16 +168,25 @@ class VariableReader {
     const std::string deflector = "/deflector/";
     const std::size_t at = target.find(deflector);
     if (at != std::string::npos) {
-      const Json::json_pointer plate(target.substr(0, at + deflector.size() - 1));
-      if (case_.contains(plate) && case_.at(plate).is_null()) {
+      const Json* plate = find_value(target.substr(0, at + deflector.size() - 1));
+      if (plate != nullptr && plate->is_null()) {
         return "its target " + target + " does not exist: that barrier has no deflector";
       }
     }
     const auto node = schema_at(schema_document("case.schema.json"), target);
-    if (node && (*node)->contains("type") && (*node)->at("type") == "number") {
+    if (node && (*node)->value("type", Json()) == "number" && find_value(target) == nullptr) {
       return "its target " + target + " is not set in the case";
     }
     return "its target " + target + " is not a number of the case's scene";
+  }
+
+  /// What the case holds there; nullptr when that is no place in it.
+  const Json* find_value(const std::string& pointer) const {
+    try {
+      return &case_.at(Json::json_pointer(pointer));
+    } catch (const Json::exception&) {
+      return nullptr;
+    }
   }
 
   std::string possible_inputs() const { return "one of " + joined(inputs_); }

@@ -17,7 +17,7 @@ void place_in_row(InputIssue& issue, const Json& changes, const std::string& row
     issue.problem += " (at " + (issue.pointer.empty() ? "the case" : issue.pointer) +
                      ", with the row's changes)";
     issue.pointer = row_pointer + "/changes";
-    issue.value.clear();
+    issue.value = short_text(changes);
   }
 }
 

@@ -88,6 +88,11 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
       best = candidate;
     }
   }
+  if (!best.empty() || word.size() < 4) return best;
+  for (const std::string& candidate : candidates) {  // a beginning is near too
+    const bool begins = candidate.starts_with(word) && candidate[word.size()] == '_';
+    if (begins && (best.empty() || candidate.size() < best.size())) best = candidate;
+  }
   return best;
 }
 
