@@ -43,6 +43,22 @@ int choose_columns(int asked, int panels, double aspect) {
   return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(panels)) - 1e-9));
 }
 
+int wanted_y_ticks(double height, double font) {
+  return std::max(2, static_cast<int>(height / (3.5 * font)));
+}
+
+/// Characters of the longest label of the y axis.
+std::size_t longest_y_label(const Region& region, double height, double font) {
+  std::size_t longest = 0;
+  const Ticks ticks = nice_ticks(region.bottom, region.top, wanted_y_ticks(height, font));
+  for (const std::string& label : ticks.labels) {
+    const auto characters = std::ranges::count_if(  // bytes that do not continue a character
+        label, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+    longest = std::max(longest, static_cast<std::size_t>(characters));
+  }
+  return longest;
+}
+
 Layout plan(const Region& region, int panels, const FlowPictureOptions& options) {
   Layout layout;
   layout.width = options.width_px;
@@ -50,13 +66,18 @@ Layout plan(const Region& region, int panels, const FlowPictureOptions& options)
   layout.rows = (panels + layout.columns - 1) / layout.columns;
   layout.font = std::clamp(options.width_px / 80.0, 9.0, 30.0);
   const double font = layout.font;
-  layout.left = 4.4 * font;
   layout.gap = 0.9 * font;
   layout.top = options.title.empty() ? 0.9 * font : 2.9 * font;
   const double right_margin = 6.2 * font;
-  const double room = layout.width - layout.left - right_margin;
-  layout.panel_width = (room - (layout.columns - 1) * layout.gap) / layout.columns;
-  layout.panel_height = layout.panel_width * region.height() / region.width();
+  layout.left = 4.4 * font;
+  for (int pass = 0; pass < 2; ++pass) {  // the labels' width depends on the panel's height
+    const double room = layout.width - layout.left - right_margin;
+    layout.panel_width = (room - (layout.columns - 1) * layout.gap) / layout.columns;
+    layout.panel_height = layout.panel_width * region.height() / region.width();
+    if (pass > 0) break;
+    const std::size_t longest = longest_y_label(region, layout.panel_height, font);
+    layout.left = (2.2 + 0.58 * static_cast<double>(longest)) * font;
+  }
   layout.height = static_cast<int>(std::ceil(layout.bottom() + 3.7 * font));
   layout.color_bar = {layout.right() + 1.2 * font, layout.top, font, layout.bottom() - layout.top};
   return layout;
@@ -139,8 +160,8 @@ void draw_panel_axes(Canvas& canvas, const Layout& layout, const FlowView& view,
     canvas.polyline({at, {at.x, at.y + 0.3 * font}}, pen);
     if (labelled.bottom) canvas.text({at.x, at.y + 0.6 * font}, x.labels[k], x_style);
   }
-  const int wanted_y = std::max(2, static_cast<int>(view.box.height / (3.5 * font)));
-  const Ticks y = nice_ticks(view.region.bottom, view.region.top, wanted_y);
+  const Ticks y =
+      nice_ticks(view.region.bottom, view.region.top, wanted_y_ticks(view.box.height, font));
   const TextStyle y_style{0.9 * font, ink, false, AlignX::right, AlignY::middle, 0.0};
   for (std::size_t k = 0; k < y.values.size(); ++k) {
     const Pixel at = view.page({view.region.left, y.values[k]});

@@ -128,6 +128,7 @@ Region visible_region(const solver::Scene& scene, const Turn& turn, const BedRan
   }
   const double margin = 0.025 * region.width();
   region.top += margin;
+  region.right += 0.4 * margin;
   region.bottom -= 1.6 * margin;
   return region;
 }
