@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+#include "common_options.hpp"
+#include "interrupt.hpp"
+#include "parapet/reports/atomic_file.hpp"
+#include "parapet/study/design_run.hpp"
+#include "parapet/study/study_folder.hpp"
+#include "run_monitor.hpp"
+#include "session.hpp"
+#include "spec_files.hpp"
+
+namespace parapet::cli {
+namespace {
+
+using reports::EvaluationRecord;
+
+struct EvaluateOptions : CommonOptions {
+  std::string spec;
+  std::string design;
+  std::string log_folder;
+};
+
+/// The text of --design and what to call it in messages.
+std::pair<std::string, std::string> design_source(const std::string& argument) {
+  if (argument == "-") {
+    return {std::string{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()},
+            "--design - (standard input)"};
+  }
+  if (argument.starts_with('@')) {
+    const std::string file = argument.substr(1);
+    return {reports::read_file(file), file};
+  }
+  return {argument, "--design"};
+}
+
+designs::Design read_design(const designs::StudySpec& study, const std::string& argument) {
+  const auto [text, source] = design_source(argument);
+  const designs::Json json = designs::parse_json(text, source);
+  const std::string allowed =
+      R"(an object of numbers by variable, for example {"deflector_angle_deg": 45})";
+  if (!json.is_object()) {
+    throw designs::InputError({{source, "", json.dump(), "is not an object", allowed}});
+  }
+  designs::Design design;
+  std::vector<designs::InputIssue> issues;
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_number()) {
+      design[name] = value.get<double>() + 0.0;  // -0 and 0 are one design
+    } else {
+      issues.push_back({source, "/" + name, value.dump(), "is not a number", allowed});
+    }
+  }
+  for (designs::InputIssue& issue : designs::check_design(study, design, source)) {
+    const std::string name = issue.pointer.substr(std::min<std::size_t>(1, issue.pointer.size()));
+    if (json.contains(name) && !json[name].is_number()) continue;  // said already
+    issues.push_back(std::move(issue));
+  }
+  if (!issues.empty()) throw designs::InputError(std::move(issues));
+  return design;
+}
+
+/// Access to a shared log: held only for a moment, so that several evaluations may run at once.
+constexpr std::chrono::seconds log_patience{20};
+
+std::optional<EvaluationRecord> find_logged(const Session& session, const EvaluateOptions& options,
+                                            const designs::StudySpec& study,
+                                            const designs::Design& design) {
+  if (options.log_folder.empty()) return std::nullopt;
+  const study::StudyFolder folder(options.log_folder, study, session.program, log_patience);
+  for (const std::string& note : folder.notes()) session.log->warn("{}", note);
+  const EvaluationRecord* known = folder.log().find(design);
+  return known == nullptr ? std::nullopt : std::optional(*known);
+}
+
+/// Gives the record its id; the one already there when another process was faster.
+EvaluationRecord store(const Session& session, const EvaluateOptions& options,
+                       const designs::StudySpec& study, study::DesignRun run) {
+  run.record.id = reports::evaluation_id(1);
+  run.record.stage = "external";
+  if (options.log_folder.empty()) return run.record;
+  study::StudyFolder folder(options.log_folder, study, session.program, log_patience);
+  if (const auto* known = folder.log().find(run.record.design)) return *known;
+  int number = static_cast<int>(folder.log().records().size()) + 1;
+  while (folder.log().has_id(reports::evaluation_id(number))) ++number;
+  run.record.id = reports::evaluation_id(number);
+  folder.store(run.record, run.report);
+  return run.record;
+}
+
+int evaluate_command(const Session& session, const EvaluateOptions& options) {
+  const designs::StudySpec study = read_study(options.spec, options.spacing_mm);
+  const designs::Design design = read_design(study, options.design);
+  std::optional<EvaluationRecord> record = find_logged(session, options, study, design);
+  if (!record) {
+    RunMonitor monitor(session, 1, "");
+    solver::Callbacks callbacks;
+    callbacks.on_progress = [&](const solver::Progress& progress) {
+      monitor.running(study.name, progress);
+      return !interrupted();
+    };
+    study::DesignRun run =
+        study::run_design(study, design, session.program, options.jobs, callbacks);
+    if (run.cancelled) {
+      session.log->error("interrupted; nothing was logged");
+      return exit_interrupted;
+    }
+    record = store(session, options, study, std::move(run));
+  }
+  fmt::print("{}\n", reports::to_json(*record).dump());
+  if (record->ok) return exit_done;
+  session.log->error("the evaluation failed: {}", record->reason);
+  return exit_failed;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, Session& session) {
+  CLI::App* verb =
+      app.add_subcommand("evaluate", "Evaluate one design of a study, for other optimisers");
+  auto options = std::make_shared<EvaluateOptions>();
+  verb->add_option("SPEC", options->spec, "Study file, or the name of a shipped one")->required();
+  verb->add_option("--design", options->design,
+                   "The design: JSON, @FILE, or - for standard input; a value for every variable")
+      ->required()
+      ->type_name("JSON");
+  verb->add_option("--log", options->log_folder,
+                   "Study folder whose log answers for designs it holds and takes new ones")
+      ->type_name("DIR");
+  add_spacing(*verb, *options);
+  add_jobs(*verb, *options, "Threads of the simulation");
+  verb->footer(
+      R"(Prints one JSON object on standard output (the line that the log of a study has) and nothing else;
+messages go to standard error. A failed simulation is reported in the object and by exit code 1. A
+design that violates the study's constraints is evaluated all the same.
+
+Examples:
+  parapet evaluate my_study.json --design '{"deflector_angle_deg": 45}'
+  parapet evaluate my_study.json --design @design.json --log runs/outside
+  echo '{"deflector_angle_deg": 45}' | parapet evaluate my_study.json --design - --quiet)");
+  verb->callback([options, &session] {
+    session.command = [options, &session] { return evaluate_command(session, *options); };
+  });
+}
+
+}  // namespace parapet::cli

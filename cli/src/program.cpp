@@ -1,0 +1,128 @@
+#include "program.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <new>
+
+#include "interrupt.hpp"
+#include "parapet/designs/error.hpp"
+#include "parapet/reports/atomic_file.hpp"
+#include "session.hpp"
+
+namespace parapet::cli {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  parapet simulate designs/single_barrier.json      one design: metrics and time series
+  parapet table3                                    the fifteen rows of the source paper
+  parapet optimize designs/quickstart.json          search for a better barrier
+  parapet recommend runs/quickstart-optimize        what the search found, in words
+  parapet VERB --help                               options and examples of a verb
+
+Exit codes: 0 done, 1 a run failed, 2 bad input or arguments, 130 interrupted.
+A spec that is not found as a file but has the name of a shipped one is taken from the program.)";
+
+std::shared_ptr<spdlog::logger> make_logger() {
+  auto logger = std::make_shared<spdlog::logger>("parapet",
+                                                 std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  // On a terminal a message first wipes the progress line.
+  logger->set_pattern(isatty(STDERR_FILENO) != 0 ? "\r\033[K%l: %v" : "%l: %v");
+  return logger;
+}
+
+void add_global_options(CLI::App& app, Session& session) {
+  app.set_version_flag(
+      "--version",
+      "parapet " + session.program.version +
+          (session.program.git_revision.empty() ? "" : " (" + session.program.git_revision + ")"));
+  app.add_option_function<std::string>(
+         "--log-level",
+         [&session](const std::string& level) {
+           session.log->set_level(spdlog::level::from_str(level));
+         },
+         "Messages from this level on: trace, debug, info, warning, error (default: info)")
+      ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error"}))
+      ->trigger_on_parse();
+  app.add_flag_callback(
+         "-q,--quiet",
+         [&session] {
+           session.quiet = true;
+           session.log->set_level(spdlog::level::warn);
+         },
+         "No progress and no messages but warnings and errors")
+      ->trigger_on_parse();
+}
+
+int parse_and_run(CLI::App& app, Session& session, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_bad_input;
+  }
+  if (!session.command) {
+    fmt::print(stderr, "{}", app.help());
+    return exit_bad_input;
+  }
+  install_interrupt_handler();
+  return session.command();
+}
+
+void say_each(const Session& session, const designs::InputError& error) {
+  for (const designs::InputIssue& issue : error.issues()) {
+    session.log->error("{}", designs::to_string(issue));
+  }
+}
+
+int run_guarded(Session& session, int argc, char** argv) {
+  CLI::App app(
+      "Parapet finds better debris-flow barriers: a two-dimensional particle simulation of "
+      "the flow, driven by an optimiser.",
+      "parapet");
+  app.require_subcommand(0, 1);
+  app.fallthrough();
+  app.footer(examples);
+  add_global_options(app, session);
+  add_simulate(app, session);
+  add_table3(app, session);
+  add_optimize(app, session);
+  add_evaluate(app, session);
+  add_recommend(app, session);
+  add_check(app, session);
+  try {
+    return parse_and_run(app, session, argc, argv);
+  } catch (const designs::InputError& error) {
+    say_each(session, error);
+    return exit_bad_input;
+  } catch (const reports::FileError& error) {
+    session.log->error("{}", error.what());
+    return exit_bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {
+    session.log->error("{}: {}", error.path1().string(), error.code().message());
+    return exit_bad_input;
+  } catch (const std::bad_alloc&) {
+    session.log->error("out of memory: use fewer --jobs or a larger --spacing-mm");
+    return exit_failed;
+  }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  try {
+    Session session;
+    session.program = {.version = PARAPET_VERSION, .git_revision = PARAPET_GIT_REVISION};
+    session.log = make_logger();
+    return run_guarded(session, argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+  } catch (...) {
+    std::fputs("error: an exception of unknown type\n", stderr);
+  }
+  return exit_failed;
+}
+
+}  // namespace parapet::cli

@@ -1,0 +1,99 @@
+#include "run_monitor.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "text_format.hpp"
+
+namespace parapet::cli {
+namespace {
+
+constexpr std::chrono::milliseconds terminal_interval{200};
+constexpr std::chrono::seconds plain_interval{15};
+
+double seconds(std::chrono::steady_clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+}  // namespace
+
+RunMonitor::RunMonitor(const Session& session, int total, std::string noun)
+    : session_(session),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      total_(total),
+      noun_(std::move(noun)) {}
+
+RunMonitor::~RunMonitor() {
+  if (line_open_) std::fputs("\r\033[K", stderr);
+}
+
+void RunMonitor::running(const std::string& id, const solver::Progress& progress) {
+  const std::scoped_lock lock(mutex_);
+  running_[id] = progress;
+  show();
+}
+
+void RunMonitor::ended(const std::string& id, bool skipped) {
+  const std::scoped_lock lock(mutex_);
+  running_.erase(id);
+  ++(skipped ? skipped_ : ended_);
+  show();
+}
+
+void RunMonitor::best(std::string text) {
+  const std::scoped_lock lock(mutex_);
+  best_ = std::move(text);
+}
+
+void RunMonitor::show() {
+  if (session_.quiet) return;
+  const auto now = Clock::now();
+  if (terminal_) {
+    if (now - shown_ < terminal_interval) return;
+    const std::string text = line();
+    std::fprintf(stderr, "\r\033[K%s", text.c_str());
+    std::fflush(stderr);
+    line_open_ = true;
+  } else {
+    if (now - shown_ < plain_interval) return;
+    session_.log->info("{}", line());
+  }
+  shown_ = now;
+}
+
+std::string RunMonitor::line() const {
+  std::string text;
+  if (!noun_.empty()) text = fmt::format("{} of {} {}", ended_ + skipped_, total_, noun_);
+  int shown = 0;
+  for (const auto& [id, progress] : running_) {
+    if (++shown > 2) {  // more do not fit on a line
+      text += ", ...";
+      break;
+    }
+    text += text.empty() ? "" : (shown == 1 ? "; " : ", ");
+    text += fmt::format("{} at {:.2f} of {:.2f} s", id, progress.time, progress.stop_time);
+  }
+  if (!best_.empty()) text += "; best " + best_;
+  return text + "; " + remaining_time();
+}
+
+double RunMonitor::share_done() const {
+  double done = ended_;
+  for (const auto& [id, progress] : running_) {
+    if (progress.stop_time > 0.0) done += progress.time / progress.stop_time;
+  }
+  const double all = std::max(1, total_ - skipped_);
+  return std::clamp(done / all, 0.0, 1.0);
+}
+
+std::string RunMonitor::remaining_time() const {
+  const double share = share_done();
+  const double elapsed = seconds(Clock::now() - begin_);
+  if (share < 1e-4) return "estimating";
+  return "at most " + duration_text(elapsed * (1.0 - share) / share) + " left";
+}
+
+}  // namespace parapet::cli

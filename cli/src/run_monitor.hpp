@@ -1,0 +1,55 @@
+/// Progress of long work on standard error.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "parapet/solver/simulation.hpp"
+#include "session.hpp"
+
+namespace parapet::cli {
+
+/// Shows how far a number of simulations is: on a terminal as one line that is written again, else
+/// as a plain line now and then. Safe to call from several threads.
+class RunMonitor {
+ public:
+  /// @param total simulations to come
+  /// @param noun what they are, for example "designs"; empty for a single simulation
+  RunMonitor(const Session& session, int total, std::string noun);
+  ~RunMonitor();
+  RunMonitor(const RunMonitor&) = delete;
+  RunMonitor& operator=(const RunMonitor&) = delete;
+
+  /// A simulation goes on.
+  void running(const std::string& id, const solver::Progress& progress);
+
+  /// A simulation has ended; `skipped` when its answer was there already.
+  void ended(const std::string& id, bool skipped);
+
+  /// The best so far, in words.
+  void best(std::string text);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show();
+  std::string line() const;
+  double share_done() const;
+  std::string remaining_time() const;
+
+  const Session& session_;
+  bool terminal_;
+  int total_;
+  std::string noun_;
+  mutable std::mutex mutex_;
+  std::map<std::string, solver::Progress> running_;
+  int ended_ = 0;
+  int skipped_ = 0;
+  std::string best_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point shown_ = begin_;
+  bool line_open_ = false;
+};
+
+}  // namespace parapet::cli

@@ -1,0 +1,33 @@
+/// What every verb shares, and how it is registered.
+#pragma once
+
+#include <spdlog/logger.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+
+#include "parapet/reports/provenance.hpp"
+
+namespace parapet::cli {
+
+/// Exit codes of the program.
+enum ExitCode : int { exit_done = 0, exit_failed = 1, exit_bad_input = 2, exit_interrupted = 130 };
+
+/// One call of the program.
+struct Session {
+  reports::ProgramInfo program;
+  std::shared_ptr<spdlog::logger> log;  ///< to standard error
+  bool quiet = false;                   ///< no progress, only warnings and errors
+  std::function<int()> command;         ///< of the verb that was chosen; gives the exit code
+};
+
+// Each adds its verb to the program; `session` must outlive `app`.
+void add_simulate(CLI::App& app, Session& session);
+void add_table3(CLI::App& app, Session& session);
+void add_optimize(CLI::App& app, Session& session);
+void add_evaluate(CLI::App& app, Session& session);
+void add_recommend(CLI::App& app, Session& session);
+void add_check(CLI::App& app, Session& session);
+
+}  // namespace parapet::cli

@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "common_options.hpp"
+#include "interrupt.hpp"
+#include "parapet/reports/atomic_file.hpp"
+#include "parapet/reports/flow_picture.hpp"
+#include "parapet/reports/result_json.hpp"
+#include "parapet/reports/vtk_frames.hpp"
+#include "parapet/study/folder_lock.hpp"
+#include "parapet/study/hashes.hpp"
+#include "picture_moments.hpp"
+#include "run_monitor.hpp"
+#include "session.hpp"
+#include "spec_files.hpp"
+#include "text_format.hpp"
+
+namespace parapet::cli {
+namespace {
+
+constexpr double default_frame_interval = 0.05;  // [s]
+
+struct SimulateOptions : CommonOptions {
+  std::string spec;
+  bool frames = false;
+  std::optional<double> frame_interval_s;
+  bool picture = false;
+  std::vector<double> picture_times_s;
+};
+
+/// Frames and picture of one run, fed by the solver's callback.
+class FlowRecorder {
+ public:
+  FlowRecorder(const SimulateOptions& options, const designs::CaseSpec& spec,
+               const std::filesystem::path& folder)
+      : spec_(spec), folder_(folder), moments_(options.picture_times_s) {
+    const double in_spec = spec.run.frame_interval;
+    if (options.frames || options.frame_interval_s || in_spec > 0.0) {
+      interval_ =
+          options.frame_interval_s.value_or(in_spec > 0.0 ? in_spec : default_frame_interval);
+      writer_.emplace(folder / "frames", spec.name);
+    }
+    picture_ = options.picture || !options.picture_times_s.empty();
+  }
+
+  /// How often the solver has to offer a frame [s]; 0 for never.
+  double offered_interval() const {
+    if (picture_) return spec_.run.series_interval;
+    return writer_ ? interval_ : 0.0;
+  }
+
+  void offer(const solver::Frame& frame) {
+    if (picture_) moments_.offer(frame);
+    if (!writer_ || frame.time < next_frame_ - 0.5 * spec_.run.series_interval) return;
+    writer_->add(frame);
+    while (next_frame_ <= frame.time + 0.5 * spec_.run.series_interval) next_frame_ += interval_;
+  }
+
+  /// Draws the picture; says what was written.
+  void finish(const Session& session) {
+    if (writer_) {
+      session.log->info("{} frames; open {} in ParaView", writer_->count(),
+                        writer_->collection().string());
+    }
+    if (!picture_) return;
+    for (const double time : moments_.not_reached()) {
+      session.log->warn("no picture at {} s: the run ended before", time);
+    }
+    const auto snapshots = moments_.take(6);
+    if (snapshots.empty()) return;
+    const std::filesystem::path file = folder_ / "flow.png";
+    reports::FlowPictureOptions picture;
+    picture.title = spec_.name;
+    reports::draw_flow(file, spec_.scene, spec_.numerics.spacing, snapshots, picture);
+    session.log->info("picture: {}", file.string());
+  }
+
+ private:
+  const designs::CaseSpec& spec_;
+  std::filesystem::path folder_;
+  PictureMoments moments_;
+  std::optional<reports::FrameWriter> writer_;
+  double interval_ = 0.0;
+  double next_frame_ = 0.0;
+  bool picture_ = false;
+};
+
+/// A file that cannot be written is not the program's fault: the same exit code as everywhere.
+template <typename Action>
+void writing(const Action& action) {
+  try {
+    action();
+  } catch (const reports::FileError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw reports::FileError(error.what());
+  }
+}
+
+solver::Result run_solver(const Session& session, const designs::CaseSpec& spec, int threads,
+                          FlowRecorder& recorder) {
+  RunMonitor monitor(session, 1, "");
+  solver::RunOptions run = spec.run;
+  run.threads = threads;
+  run.frame_interval = recorder.offered_interval();
+  solver::Callbacks callbacks;
+  callbacks.on_progress = [&](const solver::Progress& progress) {
+    monitor.running(spec.name, progress);
+    return !interrupted();
+  };
+  if (run.frame_interval > 0.0) {
+    callbacks.on_frame = [&](const solver::Frame& frame) {
+      writing([&] { recorder.offer(frame); });
+    };
+  }
+  return solver::simulate(spec.scene, spec.numerics, run, callbacks);
+}
+
+void write_result(const Session& session, const designs::CaseSpec& spec,
+                  const solver::Result& result, int threads, const std::filesystem::path& folder) {
+  const designs::Json provenance =
+      reports::provenance_json(session.program, study::case_hash(spec), spec.numerics);
+  reports::write_file_atomically(folder / "series.csv", reports::series_csv(result.series));
+  reports::write_file_atomically(folder / "result.json",
+                                 reports::json_text(reports::result_json(
+                                     spec.name, result, spec.resolved, provenance, threads)));
+}
+
+int simulate_command(const Session& session, const SimulateOptions& options) {
+  const designs::CaseSpec spec = read_case(options.spec, options.spacing_mm);
+  const std::filesystem::path folder = output_folder(options, spec.name, "simulate");
+  reports::make_folder(folder);
+  const study::FolderLock lock(folder);
+  std::optional<FlowRecorder> recorder;
+  writing([&] { recorder.emplace(options, spec, folder); });
+  const solver::Result result = run_solver(session, spec, options.jobs, *recorder);
+  if (result.status == solver::Status::cancelled) {
+    session.log->error("interrupted at {:.3f} s of flow; no result was written", result.stop_time);
+    return exit_interrupted;
+  }
+  write_result(session, spec, result, options.jobs, folder);
+  writing([&] { recorder->finish(session); });
+  fmt::print("{}: {}, {} at {:.3f} s of flow, {} steps in {}\n{}results: {}\n", spec.name,
+             solver::to_string(result.status), solver::to_string(result.stop_reason),
+             result.stop_time, result.statistics.steps, duration_text(result.statistics.wall_time),
+             metrics_text(result.metrics), folder.string());
+  if (result.status == solver::Status::ok) return exit_done;
+  session.log->error("the run failed: {}", result.reason);
+  return exit_failed;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Session& session) {
+  CLI::App* verb = app.add_subcommand("simulate", "Simulate one design");
+  auto options = std::make_shared<SimulateOptions>();
+  verb->add_option("CASE", options->spec, "Case file, or the name of a shipped one")->required();
+  add_out(*verb, *options, "runs/NAME-simulate");
+  add_spacing(*verb, *options);
+  verb->add_option("-j,--jobs,--threads", options->jobs,
+                   "Threads of the simulation (default: the number of cores); the result does not "
+                   "depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  verb->add_flag("--frames", options->frames, "Write particle frames for ParaView into DIR/frames");
+  verb->add_option("--frame-interval-s", options->frame_interval_s,
+                   "Interval of the frames in seconds (default: the case's, or 0.05)")
+      ->check(CLI::Range(1e-6, 1e4))
+      ->type_name("X");
+  verb->add_flag("--picture", options->picture, "Draw the flow at six moments into DIR/flow.png");
+  verb->add_option("--picture-times-s", options->picture_times_s,
+                   "Draw it at these times in seconds, for example 0.45,0.8,1.2")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("T,T");
+  verb->footer(R"(Writes result.json (metrics, status, provenance) and series.csv into DIR.
+
+Examples:
+  parapet simulate designs/single_barrier.json
+  parapet simulate single_barrier --spacing-mm 10 --out runs/coarse
+  parapet simulate my_case.json --frames --frame-interval-s 0.02
+  parapet simulate my_case.json --picture-times-s 0.45,0.8,1.2,2)");
+  verb->callback([options, &session] {
+    session.command = [options, &session] { return simulate_command(session, *options); };
+  });
+}
+
+}  // namespace parapet::cli

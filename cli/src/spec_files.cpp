@@ -1,0 +1,86 @@
+#include "spec_files.hpp"
+
+#include <filesystem>
+
+namespace parapet::cli {
+namespace {
+
+using designs::InputError;
+using designs::Json;
+
+std::string shipped_names() {
+  std::string names;
+  for (const std::string& name : designs::embedded_spec_names()) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+void require_format(const SpecDocument& document, const std::string& wanted,
+                    const std::string& verb_for_it) {
+  const std::string format = designs::document_format(document.json, document.file);
+  if (format == wanted) return;
+  throw InputError({{.file = document.file,
+                     .pointer = "/format",
+                     .value = '"' + format + '"',
+                     .problem = "this verb takes another kind of file",
+                     .allowed = '"' + wanted + '"' + verb_for_it}});
+}
+
+double metres(double millimetres) {
+  return millimetres / 1000.0;
+}
+
+}  // namespace
+
+SpecDocument read_spec(const std::string& argument) {
+  const std::filesystem::path path = argument;
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored)) return {designs::read_json(path), argument};
+  const std::string name = path.stem().string();
+  if (const char* text = designs::embedded_spec(name)) {
+    const std::string shown = name + ".json (shipped)";
+    return {designs::parse_json(text, shown), shown};
+  }
+  throw InputError({{.file = argument,
+                     .pointer = "",
+                     .value = "",
+                     .problem = "there is no such file",
+                     .allowed = "a JSON file, or the name of a shipped spec: " + shipped_names()}});
+}
+
+designs::CaseSpec read_case(const std::string& argument, std::optional<double> spacing_mm) {
+  const SpecDocument document = read_spec(argument);
+  require_format(document, "parapet-case/1", "; a study goes to parapet optimize");
+  designs::CaseSpec spec = designs::parse_case(document.json, document.file);
+  if (!spacing_mm) return spec;
+  Json json = spec.resolved;
+  json["numerics"]["spacing_m"] = metres(*spacing_mm);
+  return designs::parse_case(json, document.file + " with --spacing-mm");
+}
+
+designs::StudySpec read_study(const std::string& argument, std::optional<double> spacing_mm) {
+  const SpecDocument document = read_spec(argument);
+  require_format(document, "parapet-study/1", "; a case goes to parapet simulate");
+  designs::StudySpec study = designs::parse_study(document.json, document.file);
+  if (!spacing_mm) return study;
+  Json json = study.resolved;
+  json["case"]["numerics"]["spacing_m"] = metres(*spacing_mm);
+  return designs::parse_study(json, document.file + " with --spacing-mm");
+}
+
+designs::SweepSpec read_sweep(const std::string& argument, std::optional<double> spacing_mm) {
+  const SpecDocument document = read_spec(argument);
+  require_format(document, "parapet-sweep/1", "");
+  designs::SweepSpec sweep = designs::parse_sweep(document.json, document.file);
+  if (!spacing_mm) return sweep;
+  for (designs::SweepRow& row : sweep.rows) {
+    Json json = row.spec.resolved;
+    json["numerics"]["spacing_m"] = metres(*spacing_mm);
+    row.spec = designs::parse_case(json, document.file + " with --spacing-mm, row " + row.id);
+  }
+  sweep.resolved["case"]["numerics"]["spacing_m"] = metres(*spacing_mm);
+  return sweep;
+}
+
+}  // namespace parapet::cli

@@ -1,0 +1,64 @@
+#include "text_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace parapet::cli {
+
+std::string duration_text(double seconds) {
+  if (!std::isfinite(seconds)) return "?";
+  const long whole = std::lround(std::max(0.0, seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string metrics_text(const std::vector<solver::Metric>& metrics) {
+  std::size_t width = 0;
+  for (const solver::Metric& metric : metrics) width = std::max(width, metric.key.size());
+  std::string text;
+  for (const solver::Metric& metric : metrics) {
+    text += metric.value
+                ? fmt::format("  {:<{}}  {:.5g}\n", metric.key, width, *metric.value)
+                : fmt::format("  {:<{}}  - ({})\n", metric.key, width, metric.absent_reason);
+  }
+  return text;
+}
+
+std::string design_text(const designs::Design& design) {
+  std::string text;
+  for (const auto& [name, value] : design) {
+    text += fmt::format("{}{} {:.5g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+std::string objectives_text(const reports::EvaluationRecord& record) {
+  std::string text;
+  for (const auto& objective : record.objectives) {
+    text += text.empty() ? "" : ", ";
+    text += objective.value ? fmt::format("{} {:.4g}", objective.metric, *objective.value)
+                            : objective.metric + " -";
+    if (objective.absent) text += " (absent)";
+  }
+  return text;
+}
+
+std::string record_text(const reports::EvaluationRecord& record) {
+  std::string text = fmt::format("  design {}: {}\n  {}\n", record.id, design_text(record.design),
+                                 objectives_text(record));
+  for (const auto& constraint : record.constraints) {
+    text +=
+        fmt::format("  {}: {}{}{}{}{}\n", constraint.name,
+                    constraint.value ? fmt::format("{:.4g}", *constraint.value) : "no value",
+                    constraint.lower ? fmt::format(", at least {:.4g}", *constraint.lower) : "",
+                    constraint.upper ? fmt::format(", at most {:.4g}", *constraint.upper) : "",
+                    constraint.satisfied ? ", satisfied" : ", VIOLATED",
+                    constraint.margin ? fmt::format(" (margin {:.4g})", *constraint.margin) : "");
+  }
+  return text;
+}
+
+}  // namespace parapet::cli

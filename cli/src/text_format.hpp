@@ -1,0 +1,26 @@
+/// Numbers and records as a person reads them.
+#pragma once
+
+#include <string>
+
+#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/solver/result.hpp"
+
+namespace parapet::cli {
+
+/// "45 s", "3 min 20 s", "2 h 5 min".
+std::string duration_text(double seconds);
+
+/// One line per metric, aligned; where a value is absent, the reason.
+std::string metrics_text(const std::vector<solver::Metric>& metrics);
+
+/// "deflector_angle_deg 45, upstream_height_m 0.1".
+std::string design_text(const designs::Design& design);
+
+/// "retention_efficiency 0.83".
+std::string objectives_text(const reports::EvaluationRecord& record);
+
+/// Several lines: design, objectives, constraints with their margins.
+std::string record_text(const reports::EvaluationRecord& record);
+
+}  // namespace parapet::cli

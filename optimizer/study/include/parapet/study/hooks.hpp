@@ -1,0 +1,23 @@
+/// What a long run tells its caller, and how the caller stops it.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/solver/simulation.hpp"
+
+namespace parapet::study {
+
+/// All may be empty. They are called from worker threads: on_simulation and cancelled from several
+/// at once, the others from one at a time.
+struct Hooks {
+  std::function<bool()> cancelled;  ///< polled often; true ends the run soon
+  /// How far the simulation of an evaluation's id or a sweep's row is.
+  std::function<void(const std::string& id, const solver::Progress& progress)> on_simulation;
+  /// A design's record is known and on disk; from_log: nothing was simulated for it.
+  std::function<void(const reports::EvaluationRecord& record, bool from_log)> on_evaluated;
+  std::function<void(const std::string& sentence)> on_message;
+};
+
+}  // namespace parapet::study

@@ -1,0 +1,48 @@
+/// From metrics to what an optimiser needs: one scalar objective and scaled constraints.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parapet/designs/study_spec.hpp"
+#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/solver/result.hpp"
+
+namespace parapet::study {
+
+/// A scaled violation up to this counts as satisfied; optimizer::Options has the same default.
+constexpr double feasibility_tolerance = 1e-9;
+
+struct Score {
+  std::vector<reports::ObjectiveRecord> objectives;
+  std::optional<double> objective_scalar;  ///< minimised; empty when an objective has no value
+  std::string problem;                     ///< why there is no scalar
+  std::vector<reports::ConstraintRecord> constraints;  ///< in the spec's order
+  std::vector<double> metric_violations;  ///< <= 0 when satisfied; one per limit on a metric
+  bool feasible = false;                  ///< every constraint, expressions too
+};
+
+/// Scores a design whose simulation ended well.
+///
+/// The scalar is the sum of -weight value/scale (maximise) or +weight value/scale (minimise); a
+/// metric without a value counts with the objective's value_when_absent. The violation of a limit
+/// is (value - upper)/scale or (lower - value)/scale; that of a metric without a value is -1 when
+/// it is then satisfied and +1 otherwise.
+Score score(const designs::StudySpec& study, const designs::Design& design,
+            const std::vector<solver::Metric>& metrics);
+
+/// What the constraints that need no simulation say; the others are left out.
+std::vector<reports::ConstraintRecord> score_expressions(const designs::StudySpec& study,
+                                                         const designs::Design& design);
+
+/// Scaled violations of the expression constraints, one per limit: these need no simulation. An
+/// expression without a finite value is a violation.
+std::vector<double> expression_violations(const designs::StudySpec& study,
+                                          const designs::Design& design);
+
+/// Number of limits on metrics, and on expressions.
+int metric_limit_count(const designs::StudySpec& study);
+int expression_limit_count(const designs::StudySpec& study);
+
+}  // namespace parapet::study

@@ -1,0 +1,34 @@
+#include "parapet/study/hashes.hpp"
+
+namespace parapet::study {
+namespace {
+
+using designs::Json;
+
+void leave_out_of_case(Json& json) {
+  json.erase("name");
+  json.erase("description");
+  if (json.contains("run")) json["run"].erase("frame_interval_s");
+}
+
+}  // namespace
+
+std::string case_hash(const designs::CaseSpec& spec) {
+  Json json = spec.resolved;
+  leave_out_of_case(json);
+  return designs::spec_hash(json);
+}
+
+std::string study_hash(const designs::StudySpec& study) {
+  Json json = study.resolved;
+  json.erase("name");
+  json.erase("description");
+  if (json.contains("case")) leave_out_of_case(json["case"]);
+  if (json.contains("method")) {
+    json["method"].erase("max_evaluations");
+    json["method"].erase("max_time_s");
+  }
+  return designs::spec_hash(json);
+}
+
+}  // namespace parapet::study

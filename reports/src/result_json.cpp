@@ -1,0 +1,116 @@
+#include "parapet/reports/result_json.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace parapet::reports {
+namespace {
+
+using designs::Json;
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json mass_json(const solver::MassBalance& mass) {
+  Json json;
+  json["released_kg_per_m"] = mass.released;
+  json["in_domain_kg_per_m"] = mass.in_domain;
+  json["left_domain_kg_per_m"] = mass.left_domain;
+  json["particles_released"] = mass.particles_released;
+  json["particles_left"] = mass.particles_left;
+  return json;
+}
+
+Json statistics_json(const solver::RunStatistics& statistics) {
+  Json json;
+  json["steps"] = statistics.steps;
+  json["neighbor_builds"] = statistics.neighbor_builds;
+  json["cg_iterations"] = statistics.cg_iterations;
+  json["wall_contacts"] = statistics.wall_contacts;
+  json["max_particles_inside_walls"] = statistics.max_particles_inside_walls;
+  json["mean_time_step_s"] = number_or_null(statistics.mean_time_step);
+  json["max_speed_m_s"] = number_or_null(statistics.max_speed);
+  json["max_density_error"] = number_or_null(statistics.max_density_error);
+  return json;
+}
+
+}  // namespace
+
+Json metrics_json(const solver::Result& result) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : result.metrics) {
+    json[metric.key] = metric.value ? number_or_null(*metric.value) : Json(nullptr);
+  }
+  return json;
+}
+
+Json metrics_absent_json(const solver::Result& result) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : result.metrics) {
+    if (!metric.value) json[metric.key] = metric.absent_reason;
+  }
+  return json;
+}
+
+Json series_json(const solver::Series& series) {
+  Json rows = Json::array();
+  for (const auto& row : series.rows) {
+    Json values = Json::array();
+    for (const double value : row) values.push_back(number_or_null(value));
+    rows.push_back(std::move(values));
+  }
+  Json json;
+  json["columns"] = series.columns;
+  json["rows"] = std::move(rows);
+  return json;
+}
+
+std::string series_csv(const solver::Series& series) {
+  std::string text;
+  for (std::size_t c = 0; c < series.columns.size(); ++c) {
+    if (c > 0) text += ',';
+    text += series.columns[c];
+  }
+  text += '\n';
+  for (const auto& row : series.rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (c > 0) text += ',';
+      if (std::isfinite(row[c])) text += shortest_number(row[c]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+Json result_json(const std::string& name, const solver::Result& result, const Json& resolved,
+                 const Json& provenance, int threads) {
+  Json json;
+  json["format"] = "parapet-result/1";
+  json["name"] = name;
+  json["status"] = solver::to_string(result.status);
+  json["reason"] = result.reason;
+  json["stop_reason"] = solver::to_string(result.stop_reason);
+  json["stop_time_s"] = number_or_null(result.stop_time);
+  json["metrics"] = metrics_json(result);
+  json["metrics_absent"] = metrics_absent_json(result);
+  json["mass"] = mass_json(result.mass);
+  json["statistics"] = statistics_json(result.statistics);
+  json["provenance"] = provenance;
+  json["timing"] = {{"wall_time_s", result.statistics.wall_time}, {"threads", threads}};
+  json["case"] = resolved;
+  return json;
+}
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string shortest_number(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return std::string(digits.data(), end);
+}
+
+}  // namespace parapet::reports
