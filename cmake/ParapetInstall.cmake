@@ -1,4 +1,5 @@
-# What `cmake --install` puts where, and the CMake package that find_package(parapet) finds.
+# The libraries, their headers and the CMake package that find_package(parapet) finds. The program
+# and the shipped specs are installed by the folders that own them.
 #
 # Each library is a component with an export set of its own, so that a consumer of the solver alone
 # needs OpenMP and nothing else. parapet_build_settings stays at home: libraries link it through
@@ -31,7 +32,4 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/parapet-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/parapet-config-version.cmake
   DESTINATION ${parapet_package_dir})
 
-if(TARGET parapet)
-  install(TARGETS parapet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
 install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -6,6 +6,7 @@
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/optimizer/optimize.hpp"
 #include "parapet/reports/line_plot.hpp"
+#include "parapet/study/hashes.hpp"
 
 int main() {
   using namespace parapet;
@@ -13,10 +14,11 @@ int main() {
   // A shipped study is sound, and its expressions can be evaluated.
   const char* text = designs::embedded_spec("quickstart");
   if (text == nullptr) return 1;
-  const auto study = designs::parse_study(designs::Json::parse(text), "quickstart");
-  if (study.variables.empty() || designs::evaluate_expression("2 * a", {{"a", 21.0}}) != 42.0) {
+  const auto spec = designs::parse_study(designs::Json::parse(text), "quickstart");
+  if (spec.variables.empty() || designs::evaluate_expression("2 * a", {{"a", 21.0}}) != 42.0) {
     return 1;
   }
+  if (study::study_hash(spec).empty()) return 1;
 
   // (x - 0.3)^2 by COBYLA: the optimum to a hundredth of the range.
   optimizer::Problem problem;
@@ -43,7 +45,7 @@ int main() {
   const bool drawn = std::filesystem::file_size(file) > 0;
   std::filesystem::remove(file);
 
-  std::printf("study %s, optimum %.4f, plot %s\n", study.name.c_str(), result.best->x[0],
+  std::printf("study %s, optimum %.4f, plot %s\n", spec.name.c_str(), result.best->x[0],
               drawn ? "drawn" : "missing");
   return drawn ? 0 : 1;
 }
