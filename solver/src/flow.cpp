@@ -36,7 +36,9 @@ Flow::Flow(FlowSetup setup)
   const std::size_t n = walls_.size();
   walls_.x.push_back(1e6);
   walls_.z.push_back(1e6);
-  for (auto* a : {&walls_.volume, &walls_.u, &walls_.w}) a->push_back(0.0);
+  for (auto* a : {&walls_.volume, &walls_.u, &walls_.w, &walls_.normal_x, &walls_.normal_z}) {
+    a->push_back(0.0);
+  }
   for (auto* a : {&wall_pressure_, &wall_fluid_u_, &wall_fluid_w_}) a->assign(n + 1, 0.0);
   first_barrier_point_ = static_cast<int>(n);
   for (std::size_t k = n; k-- > 0;) {
@@ -71,6 +73,7 @@ FlowArrays Flow::arrays() {
   c.no_slip = setup_.wall_slip == WallSlip::no_slip;
   const WallView wall{static_cast<int>(walls_.size()), walls_.x.data(), walls_.z.data(),
                       walls_.volume.data(), walls_.u.data(), walls_.w.data(),
+                      walls_.normal_x.data(), walls_.normal_z.data(),
                       wall_pressure_.data(), wall_fluid_u_.data(), wall_fluid_w_.data()};
   return {c, fluid_.view(), wall, rows_.view()};
 }

@@ -41,6 +41,7 @@ struct WallView {
   const double *x, *z;    // [m]
   const double* volume;   // [m2]
   const double *u, *w;    // velocity of the wall itself [m/s]
+  const double *normal_x, *normal_z;  // of the face, into the fluid
   double* pressure;       // extrapolated from the fluid [Pa]
   double *fluid_u, *fluid_w;  // fluid velocity interpolated at the point [m/s]
 };

@@ -55,6 +55,8 @@ WallPoints lay_out_walls(const Solids& solids, double spacing, double reach) {
         points.volume.push_back(station.width * spacing);
         points.u.push_back(face.velocity.x);
         points.w.push_back(face.velocity.z);
+        points.normal_x.push_back(face.normal.x);
+        points.normal_z.push_back(face.normal.z);
         points.face.push_back(static_cast<int>(f));
       }
     }

@@ -58,7 +58,15 @@ void rate_of(const FlowArrays& a, double* rate, double* shift_ax, double* shift_
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
-      const Neighbor wall = {gather(a.wall.u, k), gather(a.wall.w, k), zero, zero, own.density};
+      // The wall only stops the flow across it. Along it the point goes with the particle: the
+      // tangential part vanishes in the integral, but its sum over discrete points does not and
+      // would make the pressure of sheared particles jump as they pass from point to point.
+      const v8d nx = gather(a.wall.normal_x, k), nz = gather(a.wall.normal_z, k);
+      const v8d across = (own.u - gather(a.wall.u, k)) * nx + (own.w - gather(a.wall.w, k)) * nz;
+      const v8d shift_across = own.shift_u * nx + own.shift_w * nz;
+      const Neighbor wall = {own.u - across * nx, own.w - across * nz,
+                             own.shift_u - shift_across * nx, own.shift_w - shift_across * nz,
+                             own.density};
       add(sums, g, gather(a.wall.volume, k), own, wall);
     }
     const double rho = f.density[i];

@@ -19,10 +19,13 @@ static void force(const FlowArrays& a, double* ax, double* az, int begin, int en
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
+    // a wall does not pull: surface particles under tension see it with no pressure of their own
+    const double own_value = f.tic[i] * f.pressure[i];
+    const v8d at_wall = splat(own_value > 0.0 ? own_value : 0.0);
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
-      const v8d scale = (gather(a.wall.pressure, k) + own) * (g.f * gather(a.wall.volume, k));
+      const v8d scale = (gather(a.wall.pressure, k) + at_wall) * (g.f * gather(a.wall.volume, k));
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
