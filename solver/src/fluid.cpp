@@ -13,7 +13,7 @@ void Fluid::assign(std::span<const InitialParticle> particles) {
   n = static_cast<int>(particles.size());
   const std::size_t size = particles.size() + 1;
   for (auto* array : {&x, &z, &u, &w, &density, &mass, &pressure, &volume, &viscosity, &shear_rate,
-                      &quadrature, &pair_viscosity, &lambda, &tic, &shift_u, &shift_w, &density_grad_x, &density_grad_z}) {
+                      &quadrature, &pair_viscosity, &du, &dw, &lambda, &tic, &shift_u, &shift_w, &density_grad_x, &density_grad_z}) {
     array->assign(size, 0.0);
   }
   for (auto& sum : sums) sum.assign(size, 0.0);
@@ -34,7 +34,7 @@ void Fluid::assign(std::span<const InitialParticle> particles) {
 void Fluid::set_ghost() {
   const auto g = static_cast<std::size_t>(n);
   for (auto* array : {&x, &z, &u, &w, &density, &mass, &pressure, &volume, &viscosity, &shear_rate,
-                      &quadrature, &pair_viscosity, &lambda, &tic, &shift_u, &shift_w, &density_grad_x, &density_grad_z}) {
+                      &quadrature, &pair_viscosity, &du, &dw, &lambda, &tic, &shift_u, &shift_w, &density_grad_x, &density_grad_z}) {
     array->resize(g + 1);
     (*array)[g] = 0.0;
   }
@@ -46,9 +46,7 @@ void Fluid::set_ghost() {
 void Fluid::permute(std::span<const std::int32_t> order) {
   const std::size_t count = order.size();
   scratch_.resize(count + 1);
-  // viscosity and shifting survive the sort: the first wall extrapolation and the viscous start
-  // guess read them before they are computed anew
-  for (auto* array : {&x, &z, &u, &w, &density, &mass, &viscosity}) {
+  for (auto* array : {&x, &z, &u, &w, &density, &mass, &du, &dw}) {
     for (std::size_t k = 0; k < count; ++k) {
       scratch_[k] = (*array)[static_cast<std::size_t>(order[k])];
     }
@@ -68,7 +66,7 @@ void Fluid::remove(std::span<const std::int32_t> indices) {
       continue;
     }
     for (auto* array : {&x, &z, &u, &w, &density, &mass, &pressure, &volume, &viscosity,
-                        &shear_rate, &quadrature, &pair_viscosity, &lambda, &tic, &shift_u, &shift_w, &density_grad_x,
+                        &shear_rate, &quadrature, &pair_viscosity, &du, &dw, &lambda, &tic, &shift_u, &shift_w, &density_grad_x,
                         &density_grad_z}) {
       (*array)[kept] = (*array)[i];
     }

@@ -29,6 +29,7 @@ struct Fluid {
   std::vector<double> shift_u, shift_w;                       // Eq. 9-11
   std::vector<double> density_grad_x, density_grad_z;         // Eq. 8
   std::vector<double> sums[19];                               // of the gradient pass
+  std::vector<double> du, dw;                                 // change in the last step (m/s)
   std::vector<std::int32_t> id;                               // of the particle at release
 
   void assign(std::span<const InitialParticle> particles);

@@ -11,7 +11,7 @@ namespace {
 
 class ImplicitViscosity final : public TimeIntegrator {
  public:
-  double default_acoustic_cfl() const override { return 0.6; }
+  double default_acoustic_cfl() const override { return 0.8; }
   bool explicit_viscosity() const override { return false; }
 
   std::optional<Failure> advance(Flow& flow, double dt) override {
@@ -24,12 +24,27 @@ class ImplicitViscosity final : public TimeIntegrator {
       u_star_[i] = f.u[i] + dt * ax_[i];
       w_star_[i] = f.w[i] + dt * az_[i];
     }
+    u_guess_ = f.u;
+    w_guess_ = f.w;
+    const double ratio = flow.last_time_step() > 0.0 ? dt / flow.last_time_step() : 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      u_guess_[i] += ratio * f.du[i];
+      w_guess_[i] += ratio * f.dw[i];
+    }
     if (flow.inviscid()) {
       f.u = u_star_;
       f.w = w_star_;
-    } else if (!flow.solve_viscosity(u_star_, w_star_, f.u, f.w, dt)) {
+    } else if (!flow.solve_viscosity(u_star_, w_star_, u_guess_, w_guess_, dt)) {
       return Failure{StopReason::viscous_solver,
                      "the conjugate gradients of the viscous step did not converge"};
+    }
+    if (!flow.inviscid()) {
+      for (std::size_t i = 0; i < n; ++i) {
+        f.du[i] = u_guess_[i] - f.u[i];
+        f.dw[i] = w_guess_[i] - f.w[i];
+      }
+      f.u = u_guess_;
+      f.w = w_guess_;
     }
     flow.measure_barrier_load(dt);
     flow.update_density_rate(rate_, ax_, az_);
@@ -44,7 +59,7 @@ class ImplicitViscosity final : public TimeIntegrator {
   }
 
  private:
-  std::vector<double> ax_, az_, u_star_, w_star_, rate_;
+  std::vector<double> ax_, az_, u_star_, w_star_, u_guess_, w_guess_, rate_;
 };
 
 }  // namespace
