@@ -11,7 +11,7 @@ namespace {
 
 std::string encoded(std::string_view text) {
   std::vector<std::byte> bytes(text.size());
-  std::memcpy(bytes.data(), text.data(), text.size());
+  if (!text.empty()) std::memcpy(bytes.data(), text.data(), text.size());
   return base64(bytes);
 }
 
