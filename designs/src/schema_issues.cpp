@@ -35,6 +35,16 @@ bool has_any_type(const Json& value, const Json& type) {
                      [&](const Json& one) { return has_type(value, one.get<std::string>()); });
 }
 
+/// Whether a text is of the form that a node's maxLength and pattern ask for.
+bool has_form(const Json& node, const std::string& text) {
+  // The length first: the pattern search recurses with every character.
+  if (node.contains("maxLength") && text.size() > node.at("maxLength").get<std::size_t>()) {
+    return false;
+  }
+  return !node.contains("pattern") ||
+         std::regex_search(text, std::regex(node.at("pattern").get<std::string>()));
+}
+
 /// One walk over a document beside its schema.
 class Walk {
  public:
@@ -106,8 +116,7 @@ class Walk {
     const std::string& text = value.get_ref<const std::string&>();
     if (schema->contains("minLength") && text.size() < schema->at("minLength").get<std::size_t>()) {
       add(schema, value, pointer, "is empty");
-    } else if (schema->contains("pattern") &&
-               !std::regex_search(text, std::regex(schema->at("pattern").get<std::string>()))) {
+    } else if (!has_form(*schema, text)) {
       issues_.push_back({file_, prefix_ + pointer, short_text(value), "is not a name of this form",
                          schema->at("description").get<std::string>()});
     }
@@ -155,7 +164,7 @@ class Walk {
     }
     if (schema->contains("propertyNames")) {
       const Json& names = schema->at("propertyNames");
-      if (!std::regex_search(key, std::regex(names.at("pattern").get<std::string>()))) {
+      if (!has_form(names, key)) {
         issues_.push_back({file_, prefix_ + pointer, short_text(item),
                            "\"" + key + "\" is not a name of this form",
                            names.at("description").get<std::string>()});

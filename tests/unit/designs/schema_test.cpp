@@ -27,6 +27,7 @@ const std::set<std::string> keywords{"$schema",
                                      "maximum",
                                      "exclusiveMinimum",
                                      "minLength",
+                                     "maxLength",
                                      "pattern",
                                      "minItems",
                                      "maxItems",
@@ -108,6 +109,23 @@ TEST(Schema, NumbersCarryTheirUnit) {
       EXPECT_NE(unit_suffix(key).empty(), !pure.contains(key)) << key;
     }
   });
+}
+
+// A pattern is only searched in texts of a bounded length: the search recurses.
+TEST(Schema, PatternsComeWithALengthLimit) {
+  for (const char* name : documents) {
+    for_each_node(*schema_document(name), "", [&](const Json& node, const std::string& pointer) {
+      EXPECT_TRUE(!node.contains("pattern") || node.contains("maxLength")) << name << pointer;
+    });
+  }
+  const Json sweep = {{"format", "parapet-sweep/1"},
+                      {"name", "s"},
+                      {"case", Json::object()},
+                      {"rows", {{{"id", std::string(1000000, 'a')}}}}};
+  const auto issues = schema_issues(schema_document("sweep.schema.json"), sweep, "");
+  ASSERT_EQ(issues.size(), 1U);
+  EXPECT_EQ(issues[0].pointer, "/rows/0/id");
+  EXPECT_LT(to_string(issues[0]).size(), 300U);  // the value is shortened
 }
 
 TEST(Schema, FindsPlacesThroughReferencesAndLists) {
