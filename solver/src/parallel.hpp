@@ -8,11 +8,15 @@ namespace parapet::solver {
 
 constexpr int block_size = 128;
 
+// Fewer particles than this for each thread cost more to share out than to compute.
+constexpr int least_per_thread = 512;
+
 // Calls body(begin, end) for every block of [0, n).
 template <class Body>
 void for_blocks(int n, int threads, const Body& body) {
   const int blocks = (n + block_size - 1) / block_size;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && blocks > 1)
+  const int useful = std::clamp(n / least_per_thread, 1, threads);
+#pragma omp parallel for schedule(static) num_threads(useful) if (useful > 1)
   for (int b = 0; b < blocks; ++b) {
     body(b * block_size, std::min(n, (b + 1) * block_size));
   }
