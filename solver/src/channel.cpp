@@ -10,8 +10,7 @@ namespace {
 void add_channel(Solids& solids, const Scene& scene, double margin) {
   // bed and back wall are unbounded: bodies without an outline
   solids.bodies.push_back({});
-  solids.faces.push_back(
-      make_face({0.0, 0.0}, {scene.domain_length + margin, 0.0}, 0, -1));
+  solids.faces.push_back(make_face({0.0, 0.0}, {scene.domain_length + margin, 0.0}, 0, -1));
   solids.bodies.push_back({});
   solids.faces.push_back(make_face({0.0, scene.domain_height + margin}, {0.0, 0.0}, 1, -1));
 }

@@ -13,11 +13,13 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double density_limit = 0.2;   // |rho/rho_0 - 1| beyond this is no longer this fluid
-constexpr double speed_limit = 0.5;     // of the sound speed: weak compressibility is lost
-constexpr double shortest_step = 1e-10; // [s]
+constexpr double density_limit = 0.2;    // |rho/rho_0 - 1| beyond this is no longer this fluid
+constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
+constexpr double shortest_step = 1e-10;  // [s]
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 }  // namespace
 
@@ -71,10 +73,17 @@ FlowArrays Flow::arrays() {
   c.gravity_z = setup_.gravity.z;
   c.periodic_length = setup_.periodic_length;
   c.no_slip = setup_.wall_slip == WallSlip::no_slip;
-  const WallView wall{static_cast<int>(walls_.size()), walls_.x.data(), walls_.z.data(),
-                      walls_.volume.data(), walls_.u.data(), walls_.w.data(),
-                      walls_.normal_x.data(), walls_.normal_z.data(),
-                      wall_pressure_.data(), wall_fluid_u_.data(), wall_fluid_w_.data()};
+  const WallView wall{static_cast<int>(walls_.size()),
+                      walls_.x.data(),
+                      walls_.z.data(),
+                      walls_.volume.data(),
+                      walls_.u.data(),
+                      walls_.w.data(),
+                      walls_.normal_x.data(),
+                      walls_.normal_z.data(),
+                      wall_pressure_.data(),
+                      wall_fluid_u_.data(),
+                      wall_fluid_w_.data()};
   return {c, fluid_.view(), wall, rows_.view()};
 }
 
@@ -191,12 +200,12 @@ std::optional<Failure> Flow::check_state() {
   statistics_.max_speed = std::max(statistics_.max_speed, max_speed_);
   statistics_.max_density_error = std::max(statistics_.max_density_error, compression);
   if (max_speed_ > speed_limit * setup_.numerics.sound_speed) {
-    return Failure{StopReason::runaway_speed,
-                   "a particle moves at " + std::to_string(max_speed_) +
-                       " m/s, more than half the sound speed"};
+    return Failure{StopReason::runaway_speed, "a particle moves at " + std::to_string(max_speed_) +
+                                                  " m/s, more than half the sound speed"};
   }
   if (compression > density_limit) {
-    return Failure{StopReason::density_range, "a density is " + std::to_string(100.0 * compression) +
+    return Failure{StopReason::density_range, "a density is " +
+                                                  std::to_string(100.0 * compression) +
                                                   " % away from the reference density"};
   }
   return std::nullopt;
@@ -278,9 +287,9 @@ std::optional<Failure> Flow::step(double longest) {
   }
   const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic
                                                         : integrator_->default_acoustic_cfl();
-  const double stable = stable_time_step(
-      setup_.numerics, {smoothing_length(), max_speed_, max_acceleration_, max_viscosity,
-                        setup_.material.density, cfl});
+  const double stable =
+      stable_time_step(setup_.numerics, {smoothing_length(), max_speed_, max_acceleration_,
+                                         max_viscosity, setup_.material.density, cfl});
   if (!(stable > shortest_step)) {
     return Failure{StopReason::time_step_collapse,
                    "the stable time step fell to " + std::to_string(stable) + " s"};

@@ -80,16 +80,16 @@ class Flow {
 
   // The terms, for the time integrations; each reads the present state.
   Fluid& fluid() { return fluid_; }
-  void prepare_neighbors();                       // rebuilds the rows when they are outdated
-  void update_pressure();                         // Eq. 2 and the volumes
-  void update_gradients();                        // walls, Eq. 8-11, Eq. 13-15
+  void prepare_neighbors();  // rebuilds the rows when they are outdated
+  void update_pressure();    // Eq. 2 and the volumes
+  void update_gradients();   // walls, Eq. 8-11, Eq. 13-15
   void add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az);
   void add_viscous_force(std::vector<double>& ax, std::vector<double>& az);
   bool solve_viscosity(const std::vector<double>& u_star, const std::vector<double>& w_star,
                        std::vector<double>& u, std::vector<double>& w, double dt);
   void update_density_rate(std::vector<double>& rate, std::vector<double>& shift_ax,
                            std::vector<double>& shift_az);
-  void measure_barrier_load(double dt);           // adds to the impulses
+  void measure_barrier_load(double dt);  // adds to the impulses
   int threads() const { return setup_.threads; }
   bool inviscid() const;
 

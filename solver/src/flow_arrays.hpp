@@ -12,10 +12,10 @@ namespace parapet::solver {
 // Neighbour rows: slots [begin, wall_begin) hold fluid neighbours of a fluid particle, slots
 // [wall_begin, end) the wall points that it sees; both parts are padded to full vectors.
 struct RowView {
-  const std::int32_t* begin;       // [n_fluid]
-  const std::int32_t* wall_begin;  // [n_fluid]
-  const std::int32_t* end;         // [n_fluid]
-  const std::int32_t* index;       // [n_slots]
+  const std::int32_t* begin;             // [n_fluid]
+  const std::int32_t* wall_begin;        // [n_fluid]
+  const std::int32_t* end;               // [n_fluid]
+  const std::int32_t* index;             // [n_slots]
   const std::int32_t* wall_point_begin;  // [n_active]: rows of wall points, fluid neighbours only
   const std::int32_t* wall_point_end;    // [n_active]
   const std::int32_t* wall_point_index;  // [n_wall_slots]
@@ -32,18 +32,18 @@ struct FluidView {
   const double* volume;     // m/rho [m2]
   const double* viscosity;  // apparent, with the quadrature correction of rheology.hpp [Pa s]
   const double* tic;        // +1, or -1 where the tensile-instability control acts
-  const double *shift_u, *shift_w;              // shifting velocity [m/s]
+  const double *shift_u, *shift_w;                // shifting velocity [m/s]
   const double *density_grad_x, *density_grad_z;  // renormalised [kg/m4]
 };
 
 struct WallView {
   int n;
-  const double *x, *z;    // [m]
-  const double* volume;   // [m2]
-  const double *u, *w;    // velocity of the wall itself [m/s]
+  const double *x, *z;                // [m]
+  const double* volume;               // [m2]
+  const double *u, *w;                // velocity of the wall itself [m/s]
   const double *normal_x, *normal_z;  // of the face, into the fluid
-  double* pressure;       // extrapolated from the fluid [Pa]
-  double *fluid_u, *fluid_w;  // fluid velocity interpolated at the point [m/s]
+  double* pressure;                   // extrapolated from the fluid [Pa]
+  double *fluid_u, *fluid_w;          // fluid velocity interpolated at the point [m/s]
 };
 
 // Sums of the gradient pass, [n_fluid] each. B = sum (r_j - r_i) (x) grad W V_j.
@@ -60,22 +60,22 @@ struct GradientSums {
 
 struct FlowConstants {
   Kernel kernel;
-  double smoothing_length;    // h [m]
-  double sound_speed;         // [m/s]
-  double reference_density;   // [kg/m3]
-  double density_diffusion;   // delta
+  double smoothing_length;      // h [m]
+  double sound_speed;           // [m/s]
+  double reference_density;     // [kg/m3]
+  double density_diffusion;     // delta
   double gravity_x, gravity_z;  // [m/s2]
-  double periodic_length;     // of the domain along x [m]; 0 when not periodic
+  double periodic_length;       // of the domain along x [m]; 0 when not periodic
   bool no_slip;
 };
 
 // Viscous matrix: slot s couples its pair by b b^T, b = sqrt(dt 8 eta_ij |F| V_i V_j) r_ij/r.
 struct ViscousView {
-  double *bx, *bz;                            // [n_slots], fluid slots only
+  double *bx, *bz;                                  // [n_slots], fluid slots only
   double *diagonal_xx, *diagonal_xz, *diagonal_zz;  // [n_fluid] mass, pairs and walls
-  double *wall_xx, *wall_xz, *wall_zz;        // [n_fluid] mass and walls alone
-  double *rhs_x, *rhs_z;                      // [n_fluid] momentum from the walls' lagged part
-  const double* mass;                         // [n_fluid]
+  double *wall_xx, *wall_xz, *wall_zz;              // [n_fluid] mass and walls alone
+  double *rhs_x, *rhs_z;  // [n_fluid] momentum from the walls' lagged part
+  const double* mass;     // [n_fluid]
   double dt;
 };
 

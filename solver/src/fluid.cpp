@@ -12,8 +12,26 @@ constexpr double far_away = 1e6;  // [m] no kernel reaches the ghost
 void Fluid::assign(std::span<const InitialParticle> particles) {
   n = static_cast<int>(particles.size());
   const std::size_t size = particles.size() + 1;
-  for (auto* array : {&x, &z, &u, &w, &density, &mass, &pressure, &volume, &viscosity, &shear_rate,
-                      &quadrature, &pair_viscosity, &du, &dw, &lambda, &tic, &shift_u, &shift_w, &density_grad_x, &density_grad_z}) {
+  for (auto* array : {&x,
+                      &z,
+                      &u,
+                      &w,
+                      &density,
+                      &mass,
+                      &pressure,
+                      &volume,
+                      &viscosity,
+                      &shear_rate,
+                      &quadrature,
+                      &pair_viscosity,
+                      &du,
+                      &dw,
+                      &lambda,
+                      &tic,
+                      &shift_u,
+                      &shift_w,
+                      &density_grad_x,
+                      &density_grad_z}) {
     array->assign(size, 0.0);
   }
   for (auto& sum : sums) sum.assign(size, 0.0);
@@ -33,8 +51,26 @@ void Fluid::assign(std::span<const InitialParticle> particles) {
 
 void Fluid::set_ghost() {
   const auto g = static_cast<std::size_t>(n);
-  for (auto* array : {&x, &z, &u, &w, &density, &mass, &pressure, &volume, &viscosity, &shear_rate,
-                      &quadrature, &pair_viscosity, &du, &dw, &lambda, &tic, &shift_u, &shift_w, &density_grad_x, &density_grad_z}) {
+  for (auto* array : {&x,
+                      &z,
+                      &u,
+                      &w,
+                      &density,
+                      &mass,
+                      &pressure,
+                      &volume,
+                      &viscosity,
+                      &shear_rate,
+                      &quadrature,
+                      &pair_viscosity,
+                      &du,
+                      &dw,
+                      &lambda,
+                      &tic,
+                      &shift_u,
+                      &shift_w,
+                      &density_grad_x,
+                      &density_grad_z}) {
     array->resize(g + 1);
     (*array)[g] = 0.0;
   }
@@ -65,8 +101,25 @@ void Fluid::remove(std::span<const std::int32_t> indices) {
       ++next;
       continue;
     }
-    for (auto* array : {&x, &z, &u, &w, &density, &mass, &pressure, &volume, &viscosity,
-                        &shear_rate, &quadrature, &pair_viscosity, &du, &dw, &lambda, &tic, &shift_u, &shift_w, &density_grad_x,
+    for (auto* array : {&x,
+                        &z,
+                        &u,
+                        &w,
+                        &density,
+                        &mass,
+                        &pressure,
+                        &volume,
+                        &viscosity,
+                        &shear_rate,
+                        &quadrature,
+                        &pair_viscosity,
+                        &du,
+                        &dw,
+                        &lambda,
+                        &tic,
+                        &shift_u,
+                        &shift_w,
+                        &density_grad_x,
                         &density_grad_z}) {
       (*array)[kept] = (*array)[i];
     }
@@ -95,10 +148,10 @@ FluidView Fluid::view() const {
 
 GradientSums Fluid::gradient_sums() {
   auto& s = sums;
-  return {s[0].data(),  s[1].data(),  s[2].data(),  s[3].data(), s[4].data(),  s[5].data(),
-          s[6].data(),  s[7].data(),  s[8].data(),  s[9].data(), s[10].data(), s[11].data(),
-          s[12].data(), s[13].data(), s[14].data(), s[15].data(), s[16].data(), s[17].data(),
-          s[18].data()};
+  return {s[0].data(),  s[1].data(),  s[2].data(),  s[3].data(),  s[4].data(),
+          s[5].data(),  s[6].data(),  s[7].data(),  s[8].data(),  s[9].data(),
+          s[10].data(), s[11].data(), s[12].data(), s[13].data(), s[14].data(),
+          s[15].data(), s[16].data(), s[17].data(), s[18].data()};
 }
 
 }  // namespace parapet::solver

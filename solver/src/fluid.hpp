@@ -11,26 +11,26 @@ namespace parapet::solver {
 
 // One particle at release.
 struct InitialParticle {
-  double x, z;      // [m]
-  double u, w;      // [m/s]
-  double density;   // [kg/m3]
-  double mass;      // [kg/m]
+  double x, z;     // [m]
+  double u, w;     // [m/s]
+  double density;  // [kg/m3]
+  double mass;     // [kg/m]
 };
 
 // Arrays are [n + 1]: the last entry is the ghost that pads neighbour rows.
 struct Fluid {
   int n = 0;
-  std::vector<double> x, z, u, w, density, mass;              // state
-  std::vector<double> pressure, volume;                       // from the equation of state
-  std::vector<double> viscosity, shear_rate;                  // rheology (Eq. 13-15)
-  std::vector<double> quadrature;                             // correction of the viscous sum
-  std::vector<double> pair_viscosity;                         // viscosity x quadrature
-  std::vector<double> lambda, tic;                            // surface indicator, Eq. 10; control
-  std::vector<double> shift_u, shift_w;                       // Eq. 9-11
-  std::vector<double> density_grad_x, density_grad_z;         // Eq. 8
-  std::vector<double> sums[19];                               // of the gradient pass
-  std::vector<double> du, dw;                                 // change in the last step (m/s)
-  std::vector<std::int32_t> id;                               // of the particle at release
+  std::vector<double> x, z, u, w, density, mass;       // state
+  std::vector<double> pressure, volume;                // from the equation of state
+  std::vector<double> viscosity, shear_rate;           // rheology (Eq. 13-15)
+  std::vector<double> quadrature;                      // correction of the viscous sum
+  std::vector<double> pair_viscosity;                  // viscosity x quadrature
+  std::vector<double> lambda, tic;                     // surface indicator, Eq. 10; control
+  std::vector<double> shift_u, shift_w;                // Eq. 9-11
+  std::vector<double> density_grad_x, density_grad_z;  // Eq. 8
+  std::vector<double> sums[19];                        // of the gradient pass
+  std::vector<double> du, dw;                          // change in the last step (m/s)
+  std::vector<std::int32_t> id;                        // of the particle at release
 
   void assign(std::span<const InitialParticle> particles);
   // Reorders the state (not what is computed from it): new particle k is old order[k].

@@ -17,9 +17,11 @@ struct Face {
   int body = 0;          // index of the solid it belongs to
   int barrier = -1;      // index of the barrier, or -1
   Vec2 velocity;         // of the wall [m/s]
-  bool reaches_past_a = true;  // the wall goes on behind a neighbouring face (fluid corner < 180 deg)
+  bool reaches_past_a =
+      true;  // the wall goes on behind a neighbouring face (fluid corner < 180 deg)
   bool reaches_past_b = true;
-  double points_from = 0.0;    // wall points are laid out over [points_from, points_to] of [0, length]
+  double points_from =
+      0.0;  // wall points are laid out over [points_from, points_to] of [0, length]
   double points_to = 0.0;
 };
 
@@ -37,9 +39,9 @@ struct Solids {
 // A face with its derived members; the normal is the left-hand side of a -> b.
 Face make_face(Vec2 a, Vec2 b, int body, int barrier);
 
-// Adds a clockwise outline. At corners where the fluid's angle is less than 180 degrees the wall goes
-// on behind the neighbouring face. A body that stands on the bed has no face along its last edge,
-// and its outer faces go on into the bed.
+// Adds a clockwise outline. At corners where the fluid's angle is less than 180 degrees the wall
+// goes on behind the neighbouring face. A body that stands on the bed has no face along its last
+// edge, and its outer faces go on into the bed.
 void add_outline(Solids& solids, const std::vector<Vec2>& outline, int barrier, bool on_bed);
 
 // Parameter in [0, 1] at which p -> q passes through the face from its fluid side, or none.

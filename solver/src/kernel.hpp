@@ -11,10 +11,10 @@ namespace parapet::solver {
 constexpr int lanes = 8;
 
 struct Kernel {
-  double inverse_h;    // [1/m]
-  double alpha;        // alpha_D [1/m2]
-  double f_scale;      // 5 alpha_D / h^2 [1/m4]
-  double w_at_spacing; // W(dx) [1/m2]
+  double inverse_h;     // [1/m]
+  double alpha;         // alpha_D [1/m2]
+  double f_scale;       // 5 alpha_D / h^2 [1/m4]
+  double w_at_spacing;  // W(dx) [1/m2]
 };
 
 inline double kernel_shape(double q) {

@@ -13,20 +13,27 @@ struct Entry {
 
 constexpr std::array channel_entries{
     Entry{"front_velocity_m_s",
-          "speed of the flow's front over the 0.1 m before the gauge (the first barrier's foot, or "
-          "the monitored place of an open channel); the front has 0.5 % of the released mass ahead",
+          "speed of the flow's front, which has 0.5 % of the released mass ahead, over 0.1 m: "
+          "centred "
+          "on the monitored place of an open channel, ending 0.15 m upstream of the first barrier",
           true},
-    Entry{"arrival_time_s", "time at which that front reaches the gauge", true},
-    Entry{"flow_depth_max_m",
-          "largest mean depth (mass over density and length) in the 40 mm upstream of the gauge "
-          "until overflow begins, or over the whole run in an open channel",
+    Entry{"arrival_time_s",
+          "time at which that front reaches the monitored place, or 0.15 m upstream of the first "
+          "barrier",
           true},
+    Entry{
+        "flow_depth_max_m",
+        "open channel: largest mean depth (mass over density and length) in the 40 mm upstream of "
+        "the monitored place",
+        true},
     Entry{"flow_depth_max_time_s", "time of flow_depth_max_m", true},
     Entry{"froude_number",
           "front_velocity_m_s over the square root of g cos(slope) flow depth, for an open channel",
           true},
     Entry{"kinetic_energy_peak_j_per_m",
-          "largest kinetic energy in the window 0.05 m either side of the gauge (Eq. 16)", true},
+          "largest kinetic energy in the window 0.05 m either side of the first foot, or of "
+          "the monitored place (Eq. 16)",
+          true},
     Entry{"kinetic_energy_peak_time_s", "time of that peak, the end of the cumulative phase", true},
     Entry{"kinetic_energy_minimum_j_per_m",
           "smallest kinetic energy in the window between the peak and the plateau, the depth of "
@@ -64,7 +71,8 @@ constexpr std::array overflow_entries{
 
 constexpr std::array barrier_entries{
     Entry{"retention_efficiency",
-          "mass upstream of this barrier's line over the mass released (Eq. 17), at the end", false},
+          "mass upstream of this barrier's line over the mass released (Eq. 17), at the end",
+          false},
     Entry{"arrival_time_s", "time at which 0.5 % of the released mass is within 20 mm of its line",
           true},
     Entry{"peak_force_n_per_m", "largest force on the barrier, 5 ms mean", false},
@@ -86,9 +94,10 @@ std::vector<MetricInfo> metric_catalog(int n_barriers) {
     catalog.push_back({prefix + entry.key, entry.definition, entry.may_be_absent});
   };
   if (n_barriers > 0) {
-    add("", {"retention_efficiency",
-             "mass upstream of the first barrier's line over the mass released (Eq. 17), at the end",
-             false});
+    add("",
+        {"retention_efficiency",
+         "mass upstream of the first barrier's line over the mass released (Eq. 17), at the end",
+         false});
     add("", {"retention_efficiency_total",
              "mass upstream of the last barrier's line over the mass released, at the end", false});
     for (const Entry& entry : overflow_entries) add("", entry);

@@ -9,7 +9,9 @@
 namespace parapet::solver {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 // Rows are whole vectors: the rest of the last one points at the ghost.
 void pad(std::vector<std::int32_t>& row, std::size_t from, std::int32_t ghost) {
@@ -122,7 +124,8 @@ bool NeighborRows::outdated(const Fluid& fluid) const {
     m[4 * c + 2] = z_min;
     m[4 * c + 3] = z_max;
   }
-  static constexpr std::array<std::array<int, 2>, 5> half{{{0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+  static constexpr std::array<std::array<int, 2>, 5> half{
+      {{0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
   for (const std::int32_t c : occupied_) {
     const int ix = c / grid_.nz, iz = c % grid_.nz;
     for (const auto& [sx, sz] : half) {
@@ -232,7 +235,8 @@ void NeighborRows::add_wall_neighbors(const Fluid& fluid, int i, const std::vect
         const double rx = p.x - q.x, rz = p.z - q.z;
         if (rx * rx + rz * rz >= limit) continue;
         const int owner = walls_.face[at(k)];
-        const int seen = faces.size() == 1 ? faces.front() : first_crossed(solids_.faces, faces, p, q);
+        const int seen =
+            faces.size() == 1 ? faces.front() : first_crossed(solids_.faces, faces, p, q);
         if (seen == owner) out.push_back(k);
       }
     }
@@ -323,9 +327,9 @@ void NeighborRows::build(Fluid& fluid, int threads) {
 }
 
 RowView NeighborRows::view() const {
-  return {begin_.data(),     wall_begin_.data(),  end_.data(),
-          index_.data(),     point_begin_.data(), point_end_.data(),
-          point_index_.data(), active_.data(),    static_cast<int>(active_.size())};
+  return {begin_.data(),       wall_begin_.data(),  end_.data(),
+          index_.data(),       point_begin_.data(), point_end_.data(),
+          point_index_.data(), active_.data(),      static_cast<int>(active_.size())};
 }
 
 std::size_t NeighborRows::bytes() const {

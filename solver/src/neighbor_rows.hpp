@@ -62,20 +62,20 @@ class NeighborRows {
   double reach_, skin_, periodic_length_;
   bool valid_ = false;
 
-  Grid wall_grid_;                              // over the walls
+  Grid wall_grid_;  // over the walls
   std::vector<std::int32_t> wall_start_, wall_sorted_;
-  std::vector<std::vector<int>> cell_faces_;    // per cell of wall_grid_
+  std::vector<std::vector<int>> cell_faces_;  // per cell of wall_grid_
   std::vector<int> no_faces_;
 
-  Grid grid_;                                   // over the fluid, renewed at each build
+  Grid grid_;  // over the fluid, renewed at each build
   std::vector<std::int32_t> start_, order_, cell_of_, next_, occupied_;
-  std::vector<char> near_wall_;                 // per cell
-  std::vector<double> built_x_, built_z_;       // positions at the build
+  std::vector<char> near_wall_;            // per cell
+  std::vector<double> built_x_, built_z_;  // positions at the build
 
   std::vector<std::int32_t> begin_, wall_begin_, end_, index_;
   std::vector<std::int32_t> point_begin_, point_end_, point_index_, active_, point_count_;
   std::vector<RowBuffer> buffers_;
-  mutable std::vector<double> motion_;          // scratch of outdated()
+  mutable std::vector<double> motion_;  // scratch of outdated()
 };
 
 }  // namespace parapet::solver

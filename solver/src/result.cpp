@@ -4,24 +4,36 @@ namespace parapet::solver {
 
 std::string_view to_string(Status status) {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::failed: return "failed";
-    case Status::cancelled: return "cancelled";
+    case Status::ok:
+      return "ok";
+    case Status::failed:
+      return "failed";
+    case Status::cancelled:
+      return "cancelled";
   }
   return "unknown";
 }
 
 std::string_view to_string(StopReason reason) {
   switch (reason) {
-    case StopReason::end_time: return "end_time";
-    case StopReason::settled: return "settled";
-    case StopReason::drained: return "drained";
-    case StopReason::not_a_number: return "not_a_number";
-    case StopReason::runaway_speed: return "runaway_speed";
-    case StopReason::density_range: return "density_range";
-    case StopReason::time_step_collapse: return "time_step_collapse";
-    case StopReason::viscous_solver: return "viscous_solver";
-    case StopReason::cancelled: return "cancelled";
+    case StopReason::end_time:
+      return "end_time";
+    case StopReason::settled:
+      return "settled";
+    case StopReason::drained:
+      return "drained";
+    case StopReason::not_a_number:
+      return "not_a_number";
+    case StopReason::runaway_speed:
+      return "runaway_speed";
+    case StopReason::density_range:
+      return "density_range";
+    case StopReason::time_step_collapse:
+      return "time_step_collapse";
+    case StopReason::viscous_solver:
+      return "viscous_solver";
+    case StopReason::cancelled:
+      return "cancelled";
   }
   return "unknown";
 }

@@ -80,6 +80,8 @@ class Rk4Explicit final : public TimeIntegrator {
 
 }  // namespace
 
-std::unique_ptr<TimeIntegrator> make_rk4_explicit() { return std::make_unique<Rk4Explicit>(); }
+std::unique_ptr<TimeIntegrator> make_rk4_explicit() {
+  return std::make_unique<Rk4Explicit>();
+}
 
 }  // namespace parapet::solver

@@ -28,8 +28,8 @@ void show_frame(const Flow& flow, const Callbacks& callbacks) {
   };
   callbacks.on_frame({flow.time(), part(f.x, n), part(f.z, n), part(f.u, n), part(f.w, n),
                       part(f.density, n), part(f.pressure, n), part(f.viscosity, n),
-                      std::span<const std::int32_t>(f.id.data(), n),
-                      part(flow.walls().x, points), part(flow.walls().z, points)});
+                      std::span<const std::int32_t>(f.id.data(), n), part(flow.walls().x, points),
+                      part(flow.walls().z, points)});
 }
 
 Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std::string reason) {
@@ -39,9 +39,14 @@ Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std:
   switch (stop_reason) {
     case StopReason::end_time:
     case StopReason::settled:
-    case StopReason::drained: result.status = Status::ok; break;
-    case StopReason::cancelled: result.status = Status::cancelled; break;
-    default: result.status = Status::failed;
+    case StopReason::drained:
+      result.status = Status::ok;
+      break;
+    case StopReason::cancelled:
+      result.status = Status::cancelled;
+      break;
+    default:
+      result.status = Status::failed;
   }
   result.stop_time = flow.time();
   result.metrics = recorder.metrics();
@@ -70,7 +75,8 @@ Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Call
   const auto whole = [](double time, double interval) {
     return static_cast<std::int64_t>(std::llround(time / interval));
   };
-  const std::int64_t samples = std::max<std::int64_t>(1, whole(options.stop_time, options.series_interval));
+  const std::int64_t samples =
+      std::max<std::int64_t>(1, whole(options.stop_time, options.series_interval));
   const std::int64_t frame_every =
       options.frame_interval > 0.0
           ? std::max<std::int64_t>(1, whole(options.frame_interval, options.series_interval))

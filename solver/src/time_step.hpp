@@ -6,11 +6,11 @@
 namespace parapet::solver {
 
 struct TimeStepInput {
-  double smoothing_length;   // [m]
-  double max_speed;          // [m/s]
-  double max_acceleration;   // [m/s2]
-  double max_viscosity;      // [Pa s]; 0 when viscosity is implicit
-  double density;            // [kg/m3]
+  double smoothing_length;  // [m]
+  double max_speed;         // [m/s]
+  double max_acceleration;  // [m/s2]
+  double max_viscosity;     // [Pa s]; 0 when viscosity is implicit
+  double density;           // [kg/m3]
   double acoustic_cfl;
 };
 

@@ -8,7 +8,9 @@
 namespace parapet::solver {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 double sum_in_order(const std::vector<double>& partial) {
   double sum = 0.0;
@@ -39,8 +41,8 @@ ViscousView ViscousSolve::view(const Fluid& fluid, double dt) {
 
 ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArrays& arrays,
                                           const Fluid& fluid, const std::vector<double>& u_star,
-                                          const std::vector<double>& w_star,
-                                          std::vector<double>& u, std::vector<double>& w, double dt,
+                                          const std::vector<double>& w_star, std::vector<double>& u,
+                                          std::vector<double>& w, double dt,
                                           const Settings& settings) {
   const int n = fluid.n, threads = settings.threads;
   resize(at(n), n > 0 ? at(arrays.rows.end[n - 1]) : 0);

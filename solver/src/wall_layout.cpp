@@ -43,7 +43,7 @@ WallPoints lay_out_walls(const Solids& solids, double spacing, double reach) {
         const Vec2 p = face.a + station.s * face.tangent - depth * face.normal;
         // past an end the point exists where the wall goes on: behind the neighbour of a pocket,
         // or inside the own body
-        const bool before = station.s < 0.0, after = station.s > face.length;
+        const bool before = station.s<0.0, after = station.s> face.length;
         const bool goes_on = (before && face.reaches_past_a) || (after && face.reaches_past_b);
         const std::vector<Vec2>& outline =
             solids.bodies[static_cast<std::size_t>(face.body)].outline;

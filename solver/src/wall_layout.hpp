@@ -11,11 +11,11 @@ namespace parapet::solver {
 // through that face. Thin plates therefore carry a set for either side, each as deep as the kernel
 // needs, and neither side ever feels the other.
 struct WallPoints {
-  std::vector<double> x, z;      // [n] (m)
-  std::vector<double> volume;    // [n] (m2)
-  std::vector<double> u, w;      // [n] velocity of the wall (m/s)
-  std::vector<double> normal_x, normal_z;  // [n] of the owner, into the fluid
-  std::vector<int> face;         // [n] owner
+  std::vector<double> x, z;                         // [n] (m)
+  std::vector<double> volume;                       // [n] (m2)
+  std::vector<double> u, w;                         // [n] velocity of the wall (m/s)
+  std::vector<double> normal_x, normal_z;           // [n] of the owner, into the fluid
+  std::vector<int> face;                            // [n] owner
   std::size_t size() const { return face.size(); }  // without the ghost that may follow
 };
 

@@ -15,9 +15,9 @@ struct BarrierLoad {
 
 // Largest loads so far.
 struct PeakLoad {
-  double force = 0.0;       // magnitude [N/m]
-  double force_time = -1.0; // [s], negative while there was none
-  double moment = 0.0;      // [N m/m]
+  double force = 0.0;        // magnitude [N/m]
+  double force_time = -1.0;  // [s], negative while there was none
+  double moment = 0.0;       // [N m/m]
 };
 
 class LoadGauge {

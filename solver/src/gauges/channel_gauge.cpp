@@ -7,15 +7,19 @@ namespace parapet::solver {
 namespace {
 
 constexpr double front_mass_share = 0.005;
-constexpr double depth_window = 0.040;     // [m]
-constexpr double energy_window = 0.050;    // [m] either side, as in the paper
-constexpr double rest_speed = 0.1;         // [m/s]
-constexpr double rest_layer = 0.020;       // [m] above the bed
-constexpr double rest_bin = 0.020;         // [m] along the bed
+constexpr double depth_window = 0.040;   // [m]
+constexpr double energy_window = 0.050;  // [m] either side, as in the paper
+constexpr double rest_speed = 0.1;       // [m/s]
+constexpr double rest_layer = 0.020;     // [m] above the bed
+constexpr double rest_bin = 0.020;       // [m] along the bed
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
-double speed_squared(const Fluid& f, std::size_t i) { return f.u[i] * f.u[i] + f.w[i] * f.w[i]; }
+double speed_squared(const Fluid& f, std::size_t i) {
+  return f.u[i] * f.u[i] + f.w[i] * f.w[i];
+}
 
 }  // namespace
 

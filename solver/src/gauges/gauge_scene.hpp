@@ -10,7 +10,7 @@ namespace parapet::solver {
 // A barrier's line: through its foot, along its stem, without end.
 struct BarrierLine {
   Vec2 foot;
-  Vec2 downstream;  // unit normal
+  Vec2 downstream;                                                   // unit normal
   double offset(Vec2 p) const { return dot(p - foot, downstream); }  // positive downstream [m]
 };
 

@@ -61,7 +61,8 @@ std::optional<LaunchGauge::Impact> LaunchGauge::impact() const {
     }
   }
   impact.landing_speed = momentum / mass;
-  std::sort(first.begin(), first.end(), [](const Landing& a, const Landing& b) { return a.x < b.x; });
+  std::sort(first.begin(), first.end(),
+            [](const Landing& a, const Landing& b) { return a.x < b.x; });
   double below = 0.0;
   for (const Landing& landing : first) {
     below += landing.mass;

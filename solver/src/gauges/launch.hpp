@@ -43,8 +43,8 @@ class LaunchGauge {
 
   const GaugeScene& g_;
   double landing_height_;
-  std::vector<char> crossed_, landed_;    // [n_released]
-  std::vector<double> approach_speed_;    // [n_released], negative until 20 mm above the bed
+  std::vector<char> crossed_, landed_;  // [n_released]
+  std::vector<double> approach_speed_;  // [n_released], negative until 20 mm above the bed
   std::vector<Crossing> crossings_;
   std::vector<Landing> landings_;
   double landed_mass_ = 0.0;

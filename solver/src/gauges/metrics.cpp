@@ -17,6 +17,11 @@ class Sheet {
   void set(const std::string& key, double value) { values_[key] = value; }
   void absent(const std::string& key, std::string reason) { reasons_[key] = std::move(reason); }
 
+  std::optional<double> find(const std::string& key) const {
+    const auto value = values_.find(key);
+    return value != values_.end() ? std::optional(value->second) : std::nullopt;
+  }
+
   std::vector<Metric> in_order(int n_barriers) const {
     std::vector<Metric> metrics;
     for (const MetricInfo& info : metric_catalog(n_barriers)) {
@@ -25,7 +30,8 @@ class Sheet {
         metric.value = value->second;
       } else {
         const auto reason = reasons_.find(info.key);
-        metric.absent_reason = reason != reasons_.end() ? reason->second : "not reached in this run";
+        metric.absent_reason =
+            reason != reasons_.end() ? reason->second : "not reached in this run";
       }
       metrics.push_back(std::move(metric));
     }
@@ -49,18 +55,20 @@ double passing_time(const std::vector<double>& time, const std::vector<double>& 
   return -1.0;
 }
 
+// Front speed over 0.1 m: centred on the gauge of an open channel, ending 0.15 m upstream of a
+// barrier's foot, where neither the stem nor a deflector is in the way yet.
 void front_metrics(Sheet& sheet, const std::vector<double>& time, const std::vector<double>& front,
-                   double gauge_x) {
-  constexpr double base = 0.1;  // [m]
-  const double before = passing_time(time, front, gauge_x - base);
-  const double arrival = passing_time(time, front, gauge_x);
-  if (arrival < 0.0) {
-    sheet.absent("front_velocity_m_s", "the front did not reach the gauge");
-    sheet.absent("arrival_time_s", "the front did not reach the gauge");
-    return;
+                   double gauge_x, bool open_channel) {
+  constexpr double base = 0.1, clear_of_barrier = 0.15;  // [m]
+  const double place = open_channel ? gauge_x : gauge_x - clear_of_barrier;
+  const double arrival = passing_time(time, front, place);
+  const double from = passing_time(time, front, open_channel ? place - 0.5 * base : place - base);
+  const double to = passing_time(time, front, open_channel ? place + 0.5 * base : place);
+  if (arrival >= 0.0) sheet.set("arrival_time_s", arrival);
+  if (from >= 0.0 && to > from) sheet.set("front_velocity_m_s", base / (to - from));
+  for (const char* key : {"arrival_time_s", "front_velocity_m_s"}) {
+    sheet.absent(key, "the front did not come that far");
   }
-  sheet.set("arrival_time_s", arrival);
-  if (before >= 0.0) sheet.set("front_velocity_m_s", base / (arrival - before));
 }
 
 void energy_metrics(Sheet& sheet, const std::vector<double>& time,
@@ -118,19 +126,17 @@ std::vector<Metric> Recorder::metrics() const {
   Sheet sheet;
   const int n_barriers = static_cast<int>(g_.lines.size());
   const std::vector<double> time = column("time_s");
-  front_metrics(sheet, time, column("front_x_m"), g_.gauge_x);
+  front_metrics(sheet, time, column("front_x_m"), g_.gauge_x, n_barriers == 0);
   energy_metrics(sheet, time, column("window_kinetic_energy_j_per_m"));
   const std::vector<double> depth = column("flow_depth_m");
   if (n_barriers == 0) {
     const auto deepest = std::max_element(depth.begin(), depth.end());
     sheet.set("flow_depth_max_m", *deepest);
     sheet.set("flow_depth_max_time_s", time[static_cast<std::size_t>(deepest - depth.begin())]);
-    const double speed = passing_time(time, column("front_x_m"), g_.gauge_x) < 0.0 ? -1.0 : 0.0;
-    if (speed == 0.0 && *deepest > 0.0) {
-      const double t0 = passing_time(time, column("front_x_m"), g_.gauge_x - 0.1);
-      const double t1 = passing_time(time, column("front_x_m"), g_.gauge_x);
-      sheet.set("froude_number", 0.1 / (t1 - t0) /
-                                     std::sqrt(scene_.gravity * std::cos(scene_.slope) * *deepest));
+    const auto speed = sheet.find("front_velocity_m_s");
+    if (speed && *deepest > 0.0) {
+      sheet.set("froude_number",
+                *speed / std::sqrt(scene_.gravity * std::cos(scene_.slope) * *deepest));
     }
     return sheet.in_order(0);
   }
@@ -141,9 +147,9 @@ std::vector<Metric> Recorder::metrics() const {
   const double released_volume = g_.released_mass / scene_.material.density;
   const std::vector<double> retained = column("barrier_1_retention_efficiency");
   sheet.set("retention_efficiency", retained.back());
-  sheet.set("retention_efficiency_total",
-            value(time.size() - 1,
-                  "barrier_" + std::to_string(n_barriers) + "_retention_efficiency"));
+  sheet.set(
+      "retention_efficiency_total",
+      value(time.size() - 1, "barrier_" + std::to_string(n_barriers) + "_retention_efficiency"));
   sheet.set("overflow_volume_m3_per_m", (1.0 - retained.back()) * released_volume);
   sheet.set("peak_overflow_discharge_m2_s", peak_loss_rate(time, retained) * released_volume);
 
@@ -154,15 +160,16 @@ std::vector<Metric> Recorder::metrics() const {
     sheet.set("launch_length_m", impact->x - scene_.barriers.front().foot_x);
     sheet.set("landing_speed_m_s", impact->landing_speed);
   } else {
-    for (const char* key : {"impact_time_s", "impact_x_m", "launch_length_m", "landing_speed_m_s"}) {
+    for (const char* key :
+         {"impact_time_s", "impact_x_m", "launch_length_m", "landing_speed_m_s"}) {
       sheet.absent(key, "less than 0.5 % of the released mass landed beyond the first barrier");
     }
   }
   if (const auto launch = launch_.launch()) {
     sheet.set("launch_angle_deg", launch->angle / degree);
     sheet.set("launch_speed_m_s", launch->speed);
-    sheet.set("ballistic_launch_length_m", launch->x - scene_.barriers.front().foot_x +
-                                               ballistic_distance(scene_, *launch));
+    sheet.set("ballistic_launch_length_m",
+              launch->x - scene_.barriers.front().foot_x + ballistic_distance(scene_, *launch));
   } else {
     for (const char* key : {"launch_angle_deg", "launch_speed_m_s", "ballistic_launch_length_m"}) {
       sheet.absent(key, "less than 0.5 % of the released mass crossed the first barrier's line");

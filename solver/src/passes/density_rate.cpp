@@ -7,9 +7,9 @@ namespace parapet::solver::PARAPET_ISA {
 namespace {
 
 struct RateSums {
-  v8d divergence;           // sum ((u + du)_j - (u + du)_i) . grad W V_j
-  v8d shift_flux;           // sum (rho_j du_j + rho_i du_i) . grad W V_j
-  v8d shift_divergence;     // sum (du_j - du_i) . grad W V_j
+  v8d divergence;              // sum ((u + du)_j - (u + du)_i) . grad W V_j
+  v8d shift_flux;              // sum (rho_j du_j + rho_i du_i) . grad W V_j
+  v8d shift_divergence;        // sum (du_j - du_i) . grad W V_j
   v8d momentum_x, momentum_z;  // sum (rho_j u_j (x) du_j + rho_i u_i (x) du_i) . grad W V_j
 };
 
@@ -21,8 +21,8 @@ PARAPET_INLINE void add(RateSums& sums, const PairGeometry& g, v8d volume, const
                         const Neighbor& j) {
   const v8d fv = g.f * volume;
   const v8d gx = fv * g.rx, gz = fv * g.rz;
-  sums.divergence += (j.u + j.shift_u - i.u - i.shift_u) * gx +
-                     (j.w + j.shift_w - i.w - i.shift_w) * gz;
+  sums.divergence +=
+      (j.u + j.shift_u - i.u - i.shift_u) * gx + (j.w + j.shift_w - i.w - i.shift_w) * gz;
   const v8d flux_j = j.density * (j.shift_u * gx + j.shift_w * gz);
   const v8d flux_i = i.density * (i.shift_u * gx + i.shift_w * gz);
   sums.shift_flux += flux_j + flux_i;

@@ -7,11 +7,11 @@ namespace parapet::solver::PARAPET_ISA {
 namespace {
 
 struct Moments {
-  v8d bxx, bxz, bzz;  // B
-  v8d nx, nz;         // sum grad W V
-  v8d sx, sz;         // Eq. 9
-  v8d ux, uz, wx, wz; // velocity gradient
-  v8d pp, pq, qq;     // fourth moments
+  v8d bxx, bxz, bzz;   // B
+  v8d nx, nz;          // sum grad W V
+  v8d sx, sz;          // Eq. 9
+  v8d ux, uz, wx, wz;  // velocity gradient
+  v8d pp, pq, qq;      // fourth moments
 };
 
 // One vector of neighbours: gradient fv * r, velocity difference (du, dw) = u_j - u_i.

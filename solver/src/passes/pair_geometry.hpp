@@ -42,7 +42,7 @@ PARAPET_INLINE v8d safe_r2(const FlowConstants& c, v8d r2) {
 }
 
 // Calls the periodic or the plain version of a pass.
-#define PARAPET_PASS(name, ...)                                                      \
+#define PARAPET_PASS(name, ...) \
   (a.constants.periodic_length > 0.0 ? name<true>(__VA_ARGS__) : name<false>(__VA_ARGS__))
 
 }  // namespace parapet::solver

@@ -4,10 +4,16 @@
 
 namespace parapet::solver {
 
-namespace x86_64 { extern const PassTable table; }
+namespace x86_64 {
+extern const PassTable table;
+}
 #ifdef PARAPET_X86
-namespace x86_64_v3 { extern const PassTable table; }
-namespace x86_64_v4 { extern const PassTable table; }
+namespace x86_64_v3 {
+extern const PassTable table;
+}
+namespace x86_64_v4 {
+extern const PassTable table;
+}
 #endif
 
 namespace {

@@ -18,12 +18,12 @@ struct PassTable {
   // Viscous part of Eq. 6, added to ax, az.
   void (*viscous_force)(const FlowArrays&, double* ax, double* az, int begin, int end);
   // Density rate of Eq. 6-7 and the momentum terms of the shifting.
-  void (*density_rate)(const FlowArrays&, double* density_rate, double* shift_ax,
-                       double* shift_az, int begin, int end);
+  void (*density_rate)(const FlowArrays&, double* density_rate, double* shift_ax, double* shift_az,
+                       int begin, int end);
   void (*viscous_matrix)(const FlowArrays&, const ViscousView&, int begin, int end);
   // y = A v over the fluid.
-  void (*viscous_product)(const FlowArrays&, const ViscousView&, const double* vx,
-                          const double* vz, double* yx, double* yz, int begin, int end);
+  void (*viscous_product)(const FlowArrays&, const ViscousView&, const double* vx, const double* vz,
+                          double* yx, double* yz, int begin, int end);
   // Force of the fluid on wall points [N/m]; range over active_wall.
   void (*wall_load)(const FlowArrays&, double* fx, double* fz, int begin, int end);
 };

@@ -17,7 +17,9 @@ typedef std::int64_t v8m __attribute__((vector_size(64)));
 
 #define PARAPET_INLINE static inline __attribute__((always_inline))
 
-PARAPET_INLINE v8d splat(double s) { return v8d{s, s, s, s, s, s, s, s}; }
+PARAPET_INLINE v8d splat(double s) {
+  return v8d{s, s, s, s, s, s, s, s};
+}
 
 PARAPET_INLINE v8d gather(const double* values, const std::int32_t* index) {
   return v8d{values[index[0]], values[index[1]], values[index[2]], values[index[3]],
@@ -30,7 +32,9 @@ PARAPET_INLINE v8d load(const double* values) {
   return v;
 }
 
-PARAPET_INLINE void store(double* values, v8d v) { __builtin_memcpy(values, &v, sizeof v); }
+PARAPET_INLINE void store(double* values, v8d v) {
+  __builtin_memcpy(values, &v, sizeof v);
+}
 
 PARAPET_INLINE v8d positive_part(v8d v) {
   const v8m keep = v > splat(0.0);
@@ -42,12 +46,18 @@ PARAPET_INLINE v8d sqrt_lanes(v8d v) {
 #if defined(__AVX512F__)
   return (v8d)_mm512_maskz_sqrt_pd(0xff, (__m512d)v);
 #elif defined(__AVX__)
-  union { v8d all; __m256d half[2]; } u = {v};
+  union {
+    v8d all;
+    __m256d half[2];
+  } u = {v};
   u.half[0] = _mm256_sqrt_pd(u.half[0]);
   u.half[1] = _mm256_sqrt_pd(u.half[1]);
   return u.all;
 #elif defined(__SSE2__)
-  union { v8d all; __m128d part[4]; } u = {v};
+  union {
+    v8d all;
+    __m128d part[4];
+  } u = {v};
   for (__m128d& part : u.part) part = _mm_sqrt_pd(part);
   return u.all;
 #else
@@ -66,7 +76,9 @@ PARAPET_INLINE v8d kernel_falloff(v8d q) {
   return positive_part(splat(1.0) - splat(0.5) * q);
 }
 
-PARAPET_INLINE v8d kernel_f(const Kernel& k, v8d t) { return splat(-k.f_scale) * (t * t * t); }
+PARAPET_INLINE v8d kernel_f(const Kernel& k, v8d t) {
+  return splat(-k.f_scale) * (t * t * t);
+}
 
 PARAPET_INLINE v8d kernel_w(const Kernel& k, v8d q, v8d t) {
   const v8d t2 = t * t;

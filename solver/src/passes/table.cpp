@@ -8,8 +8,14 @@
 namespace parapet::solver::PARAPET_ISA {
 
 extern const PassTable table;
-const PassTable table = {PARAPET_STRING(PARAPET_ISA), extrapolate_walls, gradient_sums,
-                         pressure_force,              viscous_force,     density_rate,
-                         viscous_matrix,              viscous_product,   wall_load};
+const PassTable table = {PARAPET_STRING(PARAPET_ISA),
+                         extrapolate_walls,
+                         gradient_sums,
+                         pressure_force,
+                         viscous_force,
+                         density_rate,
+                         viscous_matrix,
+                         viscous_product,
+                         wall_load};
 
 }  // namespace parapet::solver::PARAPET_ISA

@@ -36,8 +36,7 @@ void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
       const v8d wall_u = splat(2.0) * gather(a.wall.u, k) - gather(a.wall.fluid_u, k);
       const v8d wall_w = splat(2.0) * gather(a.wall.w, k) - gather(a.wall.fluid_w, k);
       const v8d approach = (ui - wall_u) * g.rx + (wi - wall_w) * g.rz;
-      const v8d scale =
-          eta_i * (g.f * gather(a.wall.volume, k)) * (approach / safe_r2(c, g.r2));
+      const v8d scale = eta_i * (g.f * gather(a.wall.volume, k)) * (approach / safe_r2(c, g.r2));
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
@@ -77,8 +76,8 @@ void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
     for (int s = a.rows.wall_begin[i]; c.no_slip && s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
-      const v8d weight = splat(strength) * eta_i * (-g.f * gather(a.wall.volume, k)) /
-                         safe_r2(c, g.r2);
+      const v8d weight =
+          splat(strength) * eta_i * (-g.f * gather(a.wall.volume, k)) / safe_r2(c, g.r2);
       const v8d mirror_u = splat(2.0) * gather(a.wall.u, k) - gather(a.wall.fluid_u, k);
       const v8d mirror_w = splat(2.0) * gather(a.wall.w, k) - gather(a.wall.fluid_w, k);
       // -w (u_i - mirror) = -w 2 u_i(new) + w (u_i(old) + mirror)

@@ -21,7 +21,7 @@ enum class StopReason {
   runaway_speed,  ///< a speed above what the sound speed allows
   density_range,  ///< a density too far from rho_0
   time_step_collapse,
-  viscous_solver, ///< the conjugate gradients did not converge
+  viscous_solver,  ///< the conjugate gradients did not converge
   cancelled
 };
 
@@ -49,15 +49,15 @@ std::vector<MetricInfo> metric_catalog(int n_barriers);
 
 /// Time series sampled at the chosen interval: a table, one column per quantity.
 struct Series {
-  std::vector<std::string> columns;         ///< first is time_s; each key carries its unit
-  std::vector<std::vector<double>> rows;    ///< [n_samples][n_columns]; NaN where not defined
+  std::vector<std::string> columns;       ///< first is time_s; each key carries its unit
+  std::vector<std::vector<double>> rows;  ///< [n_samples][n_columns]; NaN where not defined
 };
 
 /// Where the released mass is, per metre width [kg/m].
 struct MassBalance {
   double released = 0.0;
   double in_domain = 0.0;
-  double left_domain = 0.0;       ///< through the outlet or over the top
+  double left_domain = 0.0;  ///< through the outlet or over the top
   std::int64_t particles_released = 0;
   std::int64_t particles_left = 0;
 };
@@ -67,12 +67,12 @@ struct RunStatistics {
   std::int64_t steps = 0;
   std::int64_t neighbor_builds = 0;
   std::int64_t cg_iterations = 0;
-  std::int64_t wall_contacts = 0;      ///< particles stopped at a wall by the contact rule
+  std::int64_t wall_contacts = 0;               ///< particles stopped at a wall by the contact rule
   std::int64_t max_particles_inside_walls = 0;  ///< over all samples; 0 in a sound run
-  double mean_time_step = 0.0;         ///< [s]
-  double max_speed = 0.0;              ///< [m/s]
-  double max_density_error = 0.0;      ///< max |rho/rho_0 - 1|
-  double wall_time = 0.0;              ///< [s]; the only field that may differ between repeats
+  double mean_time_step = 0.0;                  ///< [s]
+  double max_speed = 0.0;                       ///< [m/s]
+  double max_density_error = 0.0;               ///< max |rho/rho_0 - 1|
+  double wall_time = 0.0;  ///< [s]; the only field that may differ between repeats
 };
 
 struct Result {

@@ -11,11 +11,11 @@ namespace parapet::solver {
 
 /// Herschel-Bulkley debris, Eq. 12-15 of Huang et al. 2024; the defaults are Table 1.
 struct Material {
-  double density = 1135.0;           ///< rho_0 [kg/m3]
-  double yield_stress = 90.0;        ///< tau_y [Pa]
-  double consistency = 4.526;        ///< K [Pa s^N]
-  double flow_index = 0.795;         ///< N [-]
-  double cutoff_shear_rate = 0.1;    ///< below it the viscosity stays constant [1/s]
+  double density = 1135.0;         ///< rho_0 [kg/m3]
+  double yield_stress = 90.0;      ///< tau_y [Pa]
+  double consistency = 4.526;      ///< K [Pa s^N]
+  double flow_index = 0.795;       ///< N [-]
+  double cutoff_shear_rate = 0.1;  ///< below it the viscosity stays constant [1/s]
 };
 
 /// How the fluid meets a wall.
@@ -30,11 +30,11 @@ struct Deflector {
 /// One rigid barrier: a stem on the bed, with or without a deflector. The stem's upstream face
 /// starts at (foot_x, 0); the thickness lies downstream of it.
 struct Barrier {
-  double foot_x = 1.1;      ///< foot of the upstream face, along the bed [m]
-  double height = 0.1;      ///< length of the upstream face, foot to crest [m]
-  double thickness = 0.015; ///< of the stem and of the deflector [m]
-  double stem_lean = 0.0;   ///< from the world's vertical, positive upstream [rad]; minus the
-                            ///< channel's slope makes the stem normal to the bed
+  double foot_x = 1.1;       ///< foot of the upstream face, along the bed [m]
+  double height = 0.1;       ///< length of the upstream face, foot to crest [m]
+  double thickness = 0.015;  ///< of the stem and of the deflector [m]
+  double stem_lean = 0.0;    ///< from the world's vertical, positive upstream [rad]; minus the
+                             ///< channel's slope makes the stem normal to the bed
   std::optional<Deflector> deflector;
 };
 
@@ -55,8 +55,8 @@ struct Scene {
   double monitor_x = 1.1;             ///< where an open channel is gauged (no barrier) [m]
   WallSlip wall_slip = WallSlip::no_slip;
   Material material;
-  std::vector<Barrier> barriers;      ///< from upstream to downstream
-  std::vector<SolidPolygon> solids;   ///< anything else in the channel
+  std::vector<Barrier> barriers;     ///< from upstream to downstream
+  std::vector<SolidPolygon> solids;  ///< anything else in the channel
 };
 
 /// Direction of a stem from foot to crest, in channel axes (unit vector).

@@ -14,10 +14,10 @@ namespace parapet::solver {
 /// Stop early once nothing that is reported can change any more.
 struct SettledRule {
   bool enabled = true;
-  double window = 0.25;               ///< both rules must hold this long [s]
-  double retention_change = 0.002;    ///< largest change of any barrier's retention in the window
-  double kinetic_energy_share = 1e-3; ///< kinetic energy in the domain, share of the largest seen
-  double earliest_time = 1.5;         ///< never before this time [s]
+  double window = 0.25;                ///< both rules must hold this long [s]
+  double retention_change = 0.002;     ///< largest change of any barrier's retention in the window
+  double kinetic_energy_share = 1e-3;  ///< kinetic energy in the domain, share of the largest seen
+  double earliest_time = 1.5;          ///< never before this time [s]
 };
 
 /// How long, how often sampled, on how many threads.
@@ -31,14 +31,14 @@ struct RunOptions {
 
 /// One picture of the particles, valid during the callback. Arrays are [n_fluid] and [n_wall].
 struct Frame {
-  double time = 0.0;  ///< [s]
-  std::span<const double> x, z;              ///< position [m]
-  std::span<const double> u, w;              ///< velocity [m/s]
-  std::span<const double> density;           ///< [kg/m3]
-  std::span<const double> pressure;          ///< [Pa]
-  std::span<const double> viscosity;         ///< apparent [Pa s]
-  std::span<const std::int32_t> id;          ///< of the particle at release
-  std::span<const double> wall_x, wall_z;    ///< wall points [m]
+  double time = 0.0;                       ///< [s]
+  std::span<const double> x, z;            ///< position [m]
+  std::span<const double> u, w;            ///< velocity [m/s]
+  std::span<const double> density;         ///< [kg/m3]
+  std::span<const double> pressure;        ///< [Pa]
+  std::span<const double> viscosity;       ///< apparent [Pa s]
+  std::span<const std::int32_t> id;        ///< of the particle at release
+  std::span<const double> wall_x, wall_z;  ///< wall points [m]
 };
 
 /// How far a run is.

@@ -16,11 +16,17 @@ struct Vec2 {
   friend constexpr bool operator==(Vec2 a, Vec2 b) = default;
 };
 
-constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.z * b.z; }
+constexpr double dot(Vec2 a, Vec2 b) {
+  return a.x * b.x + a.z * b.z;
+}
 
 /// The out-of-plane component of a x b; positive when b lies counter-clockwise of a.
-constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.z - a.z * b.x; }
+constexpr double cross(Vec2 a, Vec2 b) {
+  return a.x * b.z - a.z * b.x;
+}
 
-inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
+inline double norm(Vec2 a) {
+  return std::sqrt(dot(a, a));
+}
 
 }  // namespace parapet::solver

@@ -1,0 +1,158 @@
+// Neighbour rows against brute force, and the separation of a plate's two sides at every spacing.
+#include "neighbor_rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "channel.hpp"
+
+namespace parapet::solver {
+namespace {
+
+std::set<std::int32_t> fluid_row(const RowView& rows, int i, int ghost) {
+  std::set<std::int32_t> row;
+  for (int s = rows.begin[i]; s < rows.wall_begin[i]; ++s) {
+    if (rows.index[s] != ghost) row.insert(rows.index[s]);
+  }
+  return row;
+}
+
+TEST(NeighborRows, HoldEveryPairWithinTheReachAndNoneTwice) {
+  std::vector<InitialParticle> particles;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(0.0, 0.2);
+  for (int k = 0; k < 700; ++k) particles.push_back({place(random), place(random), 0, 0, 1000, 1});
+  Fluid fluid;
+  fluid.assign(particles);
+  const Solids none;
+  const WallPoints no_walls;
+  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.0);
+  rows.build(fluid, 1);
+  const RowView view = rows.view();
+  for (int i = 0; i < fluid.n; ++i) {
+    std::set<std::int32_t> expected;
+    for (int j = 0; j < fluid.n; ++j) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      const double r = std::hypot(fluid.x[a] - fluid.x[b], fluid.z[a] - fluid.z[b]);
+      if (j != i && r < 0.024) expected.insert(j);
+    }
+    EXPECT_EQ(fluid_row(view, i, fluid.n), expected);
+    EXPECT_EQ((view.wall_begin[i] - view.begin[i]) % lanes, 0);
+  }
+}
+
+TEST(NeighborRows, AreOutdatedBeforeAPairCanComeIntoReach) {
+  Fluid fluid;
+  const std::vector<InitialParticle> pair{{0.0, 0.0, 0, 0, 1000, 1}, {0.0241, 0.0, 0, 0, 1000, 1}};
+  fluid.assign(pair);
+  const Solids none;
+  const WallPoints no_walls;
+  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.0);
+  rows.build(fluid, 1);
+  fluid.x[1] -= 0.0039;
+  EXPECT_FALSE(rows.outdated(fluid));
+  fluid.x[1] -= 0.0003;  // now 0.0199 apart
+  EXPECT_TRUE(rows.outdated(fluid));
+}
+
+TEST(NeighborRows, UniformMotionAloneDoesNotOutdateThem) {
+  Fluid fluid;
+  fluid.assign(lattice_block(0.0, 0.0, 0.1, 0.1, 0.01, 1000.0));
+  const Solids none;
+  const WallPoints no_walls;
+  NeighborRows rows(none, no_walls, 0.0266, 0.003, 0.0);
+  rows.build(fluid, 1);
+  for (double& x : fluid.x) x += 0.5;
+  EXPECT_FALSE(rows.outdated(fluid));
+}
+
+// Fluid on both sides of a vertical plate in the middle of a tank.
+class ThinPlate : public ::testing::TestWithParam<double> {};
+
+TEST_P(ThinPlate, NothingReachesThroughIt) {
+  const double dx = GetParam(), thickness = 0.015, h = 1.33 * dx;
+  Scene scene;
+  Barrier barrier;
+  barrier.foot_x = 0.5;
+  barrier.height = 0.2;
+  barrier.thickness = thickness;
+  barrier.stem_lean = -scene.slope;  // straight up in these axes
+  scene.barriers = {barrier};
+  Numerics numerics;
+  numerics.spacing = dx;
+  const FlowSetup setup = channel_setup(scene, numerics, 1);
+  std::vector<InitialParticle> particles = lattice_block(0.5 - 6 * dx, 0, 6 * dx, 0.15, dx, 1000);
+  const std::size_t upstream = particles.size();
+  for (const auto& p : lattice_block(0.5 + thickness, 0, 6 * dx, 0.15, dx, 1000)) {
+    particles.push_back(p);
+  }
+  Fluid fluid;
+  fluid.assign(particles);
+  const WallPoints walls = lay_out_walls(setup.solids, dx, 2.0 * h);
+  NeighborRows rows(setup.solids, walls, 2.0 * h, 0.25 * h, 0.0);
+  rows.build(fluid, 1);
+  const RowView view = rows.view();
+  for (int i = 0; i < fluid.n; ++i) {
+    const bool left = static_cast<std::size_t>(fluid.id[static_cast<std::size_t>(i)]) < upstream;
+    for (const std::int32_t j : fluid_row(view, i, fluid.n)) {
+      const bool other = static_cast<std::size_t>(fluid.id[static_cast<std::size_t>(j)]) < upstream;
+      EXPECT_EQ(left, other) << "a fluid pair reaches through the plate at dx = " << dx;
+    }
+    for (int s = view.wall_begin[i]; s < view.end[i]; ++s) {
+      if (view.index[s] == static_cast<std::int32_t>(walls.size())) continue;
+      const Face& face = setup.solids.faces[static_cast<std::size_t>(
+          walls.face[static_cast<std::size_t>(view.index[s])])];
+      if (face.barrier < 0 || face.normal.z > 0.5) continue;  // bed, crest
+      EXPECT_EQ(left, face.normal.x < 0.0) << "a particle sees the far side's wall points";
+    }
+  }
+}
+
+TEST_P(ThinPlate, EverySideFeelsACompleteWall) {
+  // beside the middle of the plate, fluid and wall together fill the kernel
+  const double dx = GetParam(), thickness = 0.015, h = 1.33 * dx;
+  Scene scene;
+  Barrier barrier;
+  barrier.foot_x = 0.5;
+  barrier.height = 0.3;
+  barrier.thickness = thickness;
+  barrier.stem_lean = -scene.slope;
+  scene.barriers = {barrier};
+  Numerics numerics;
+  numerics.spacing = dx;
+  const FlowSetup setup = channel_setup(scene, numerics, 1);
+  Fluid fluid;
+  fluid.assign(lattice_block(0.5 - 8 * dx, 0, 8 * dx, 0.3, dx, 1000));
+  const WallPoints walls = lay_out_walls(setup.solids, dx, 2.0 * h);
+  NeighborRows rows(setup.solids, walls, 2.0 * h, 0.25 * h, 0.0);
+  rows.build(fluid, 1);
+  const Kernel kernel = make_kernel(h, dx);
+  const RowView view = rows.view();
+  int tested = 0;
+  for (int i = 0; i < fluid.n; ++i) {
+    const auto a = static_cast<std::size_t>(i);
+    if (fluid.x[a] < 0.5 - dx || std::abs(fluid.z[a] - 0.15) > 0.02) continue;
+    double unity = kernel.alpha * dx * dx;
+    const auto add = [&](double x, double z, double volume) {
+      const double r = std::hypot(fluid.x[a] - x, fluid.z[a] - z);
+      unity += kernel.alpha * kernel_shape(r / h) * volume;
+    };
+    for (const std::int32_t j : fluid_row(view, i, fluid.n)) {
+      add(fluid.x[static_cast<std::size_t>(j)], fluid.z[static_cast<std::size_t>(j)], dx * dx);
+    }
+    for (int s = view.wall_begin[i]; s < view.end[i]; ++s) {
+      const auto k = static_cast<std::size_t>(view.index[s]);
+      if (k < walls.size()) add(walls.x[k], walls.z[k], walls.volume[k]);
+    }
+    EXPECT_NEAR(unity, 1.0, 0.03);  // lattice quadrature of W at h/dx = 1.33 is 1.009
+    ++tested;
+  }
+  EXPECT_GT(tested, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spacings, ThinPlate, ::testing::Values(0.020, 0.010, 0.005, 0.0025));
+
+}  // namespace
+}  // namespace parapet::solver

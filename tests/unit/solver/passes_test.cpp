@@ -1,0 +1,214 @@
+// Every neighbour sum on a handful of particles against the plain double loop of its equation, and
+// the instruction sets against each other bit for bit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "channel.hpp"
+#include "flow.hpp"
+#include "passes/pass_table.hpp"
+
+namespace parapet::solver {
+namespace {
+
+constexpr double dx = 0.01, h = 1.33 * dx;
+
+// Five particles placed by hand plus 40 at random, far from any wall.
+struct Cloud {
+  Fluid fluid;
+  std::vector<std::int32_t> begin, end, index;
+  std::vector<double> none = std::vector<double>(8, 0.0);
+
+  Cloud() {
+    std::vector<InitialParticle> particles = {{0.0, 0.0, 1.0, 0.5, 1000.0, 0.1},
+                                              {0.01, 0.0, 1.2, 0.4, 1003.0, 0.1},
+                                              {0.0, 0.012, 0.7, 0.6, 998.0, 0.1},
+                                              {-0.009, 0.001, 1.1, 0.2, 1001.0, 0.1},
+                                              {0.001, -0.011, 0.9, 0.9, 1002.0, 0.1}};
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-0.03, 0.03), speed(-1.0, 1.0);
+    for (int k = 0; k < 40; ++k) {
+      particles.push_back({place(random), place(random), speed(random), speed(random),
+                           1000.0 + 5.0 * speed(random), 0.1});
+    }
+    fluid.assign(particles);
+    for (int i = 0; i < fluid.n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      fluid.pressure[k] = 1225.0 * (fluid.density[k] - 1000.0);
+      fluid.volume[k] = fluid.mass[k] / fluid.density[k];
+      fluid.pair_viscosity[k] = 1.0 + i;
+      fluid.tic[k] = i % 3 == 0 ? -1.0 : 1.0;
+      fluid.shift_u[k] = 0.01 * i;
+      fluid.shift_w[k] = -0.02 * i;
+      fluid.density_grad_x[k] = 3.0 * i;
+      fluid.density_grad_z[k] = 50.0 - i;
+      begin.push_back(static_cast<std::int32_t>(index.size()));
+      for (int j = 0; j < fluid.n; ++j) {
+        if (j != i) index.push_back(j);
+      }
+      while (index.size() % lanes != 0) index.push_back(fluid.n);
+      end.push_back(static_cast<std::int32_t>(index.size()));
+    }
+  }
+
+  FlowArrays arrays() const {
+    FlowConstants c{};
+    c.kernel = make_kernel(h, dx);
+    c.smoothing_length = h;
+    c.sound_speed = 35.0;
+    c.reference_density = 1000.0;
+    c.density_diffusion = 0.1;
+    c.no_slip = true;
+    FlowArrays a{c, fluid.view(), {}, {}};
+    a.rows.begin = begin.data();
+    a.rows.wall_begin = end.data();
+    a.rows.end = end.data();
+    a.rows.index = index.data();
+    return a;
+  }
+
+  // Calls body(j, r_ij, F V_j) for every neighbour of i within the support.
+  template <class Body>
+  void for_neighbors(std::size_t i, const Body& body) const {
+    const Kernel k = make_kernel(h, dx);
+    for (std::size_t j = 0; j < static_cast<std::size_t>(fluid.n); ++j) {
+      const Vec2 r{fluid.x[i] - fluid.x[j], fluid.z[i] - fluid.z[j]};
+      const double q = norm(r) / h;
+      if (j == i || q >= 2.0) continue;
+      const double t = 1.0 - 0.5 * q;
+      body(j, r, -k.f_scale * t * t * t * fluid.volume[j]);
+    }
+  }
+};
+
+TEST(Passes, PressureForceIsEquation6WithTensileControl) {
+  const Cloud cloud;
+  const Fluid& f = cloud.fluid;
+  std::vector<double> ax(static_cast<std::size_t>(f.n)), az = ax;
+  best_passes().pressure_force(cloud.arrays(), ax.data(), az.data(), 0, f.n);
+  for (std::size_t i = 0; i < 5; ++i) {
+    Vec2 sum;
+    cloud.for_neighbors(i, [&](std::size_t j, Vec2 r, double fv) {
+      sum = sum + (f.pressure[j] + f.tic[i] * f.pressure[i]) * fv * r;
+    });
+    EXPECT_NEAR(ax[i], -sum.x / f.density[i], 1e-9 * std::abs(ax[i]) + 1e-12);
+    EXPECT_NEAR(az[i], -sum.z / f.density[i], 1e-9 * std::abs(az[i]) + 1e-12);
+  }
+}
+
+TEST(Passes, ViscousForceHasAlphaEightAndTheHarmonicMean) {
+  const Cloud cloud;
+  const Fluid& f = cloud.fluid;
+  std::vector<double> ax(static_cast<std::size_t>(f.n), 0.0), az = ax;
+  best_passes().viscous_force(cloud.arrays(), ax.data(), az.data(), 0, f.n);
+  for (std::size_t i = 0; i < 5; ++i) {
+    Vec2 sum;
+    cloud.for_neighbors(i, [&](std::size_t j, Vec2 r, double fv) {
+      const double eta = 2.0 * f.pair_viscosity[i] * f.pair_viscosity[j] /
+                         (f.pair_viscosity[i] + f.pair_viscosity[j]);
+      const Vec2 du{f.u[i] - f.u[j], f.w[i] - f.w[j]};
+      sum = sum + 8.0 * eta * dot(du, r) / dot(r, r) * fv * r;
+    });
+    // the guard of r^2 against zero is (1e-6 h)^2
+    EXPECT_NEAR(ax[i], sum.x / f.density[i], 1e-8 * std::abs(ax[i]));
+    EXPECT_NEAR(az[i], sum.z / f.density[i], 1e-8 * std::abs(az[i]));
+  }
+}
+
+TEST(Passes, ViscousPairForcesKeepBothMomenta) {
+  const Cloud cloud;
+  const Fluid& f = cloud.fluid;
+  std::vector<double> ax(static_cast<std::size_t>(f.n), 0.0), az = ax;
+  best_passes().viscous_force(cloud.arrays(), ax.data(), az.data(), 0, f.n);
+  double px = 0.0, pz = 0.0, spin = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    px += f.mass[i] * ax[i];
+    pz += f.mass[i] * az[i];
+    spin += f.mass[i] * (f.x[i] * az[i] - f.z[i] * ax[i]);
+    size += f.mass[i] * (std::abs(ax[i]) + std::abs(az[i]));
+  }
+  EXPECT_LT(std::abs(px) + std::abs(pz), 1e-13 * size);  // rounding alone
+  EXPECT_LT(std::abs(spin), 1e-13 * size * 0.03);        // lever arms up to 0.03 m
+}
+
+TEST(Passes, DensityRateIsEquations6And7) {
+  const Cloud cloud;
+  const Fluid& f = cloud.fluid;
+  std::vector<double> rate(static_cast<std::size_t>(f.n)), sx = rate, sz = rate;
+  best_passes().density_rate(cloud.arrays(), rate.data(), sx.data(), sz.data(), 0, f.n);
+  for (std::size_t i = 0; i < 5; ++i) {
+    double expected = 0.0, diffusion = 0.0, divergence = 0.0;
+    Vec2 momentum;
+    const Vec2 ui{f.u[i], f.w[i]}, si{f.shift_u[i], f.shift_w[i]};
+    cloud.for_neighbors(i, [&](std::size_t j, Vec2 r, double fv) {
+      const Vec2 uj{f.u[j], f.w[j]}, sj{f.shift_u[j], f.shift_w[j]}, grad = fv * r;
+      expected += -f.density[i] * dot(uj + sj - ui - si, grad) +
+                  dot(f.density[j] * sj + f.density[i] * si, grad);
+      const Vec2 slopes{f.density_grad_x[i] + f.density_grad_x[j],
+                        f.density_grad_z[i] + f.density_grad_z[j]};
+      const Vec2 rji = -1.0 * r;
+      diffusion += (2.0 * (f.density[j] - f.density[i]) - dot(slopes, rji)) * dot(rji, grad) /
+                   dot(r, r);
+      divergence += dot(sj - si, grad);
+      momentum = momentum + f.density[j] * dot(sj, grad) * uj + f.density[i] * dot(si, grad) * ui;
+    });
+    expected += 0.1 * h * 35.0 * diffusion;
+    EXPECT_NEAR(rate[i], expected, 1e-9 * std::abs(expected));
+    const Vec2 shift = (1.0 / f.density[i]) * (momentum - f.density[i] * divergence * ui);
+    EXPECT_NEAR(sx[i], shift.x, 1e-9 * norm(shift));
+    EXPECT_NEAR(sz[i], shift.z, 1e-9 * norm(shift));
+  }
+}
+
+TEST(Passes, EveryInstructionSetGivesTheSameBits) {
+  const Cloud cloud;
+  const auto n = static_cast<std::size_t>(cloud.fluid.n);
+  std::vector<double> reference;
+  int compared = 0;
+  for (const char* name : {"x86_64", "x86_64_v3", "x86_64_v4"}) {
+    const PassTable* table = find_passes(name);
+    if (table == nullptr) continue;  // this machine cannot run it
+    std::vector<double> all(7 * n, 0.0);
+    double* p = all.data();
+    table->pressure_force(cloud.arrays(), p, p + n, 0, cloud.fluid.n);
+    table->viscous_force(cloud.arrays(), p + 2 * n, p + 3 * n, 0, cloud.fluid.n);
+    table->density_rate(cloud.arrays(), p + 4 * n, p + 5 * n, p + 6 * n, 0, cloud.fluid.n);
+    if (reference.empty()) reference = all;
+    EXPECT_EQ(all, reference) << name;
+    ++compared;
+  }
+  EXPECT_GE(compared, 1);
+}
+
+TEST(Passes, RenormalisedGradientsAreExactForLinearFields) {
+  // A jittered block without walls: density gradient and strain rate of linear fields, everywhere
+  FlowSetup setup;
+  setup.numerics.spacing = dx;
+  setup.material.density = 1000.0;
+  setup.particles = lattice_block(0.0, 0.0, 0.2, 0.2, dx, 1000.0);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> offset(-0.2 * dx, 0.2 * dx);
+  for (InitialParticle& p : setup.particles) {
+    p.x += offset(random);
+    p.z += offset(random);
+    p.density = 1000.0 + 30.0 * p.x - 20.0 * p.z;
+    p.u = 2.0 * p.x + 3.0 * p.z;
+    p.w = 5.0 * p.x - 2.0 * p.z;
+  }
+  setup.wall_slip = WallSlip::free_slip;
+  Flow flow(std::move(setup));
+  flow.prepare_neighbors();
+  flow.update_pressure();
+  flow.update_gradients();
+  const Fluid& f = static_cast<const Flow&>(flow).fluid();
+  // 2 S:S = 2 (4 + 4) + (3 + 5)^2 = 80
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    EXPECT_NEAR(f.density_grad_x[i], 30.0, 1e-9);
+    EXPECT_NEAR(f.density_grad_z[i], -20.0, 1e-9);
+    EXPECT_NEAR(f.shear_rate[i], std::sqrt(80.0), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace parapet::solver

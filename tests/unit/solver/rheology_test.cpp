@@ -1,0 +1,56 @@
+// Herschel-Bulkley viscosity and the correction of the viscous sum.
+#include "rheology.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace parapet::solver {
+namespace {
+
+TEST(Rheology, TableOneCutOffViscosity) {
+  // tau_y/0.1 + K 0.1^(N-1) = 900 + 4.526 * 0.1^-0.205 = 907.26 Pa s
+  EXPECT_NEAR(apparent_viscosity(Material{}, 0.0), 907.26, 0.01);
+  EXPECT_EQ(apparent_viscosity(Material{}, 0.05), apparent_viscosity(Material{}, 0.1));
+}
+
+TEST(Rheology, StressAboveTheCutOffIsHerschelBulkley) {
+  const Material m;
+  for (const double g : {0.2, 1.0, 30.0, 200.0}) {
+    EXPECT_NEAR(apparent_viscosity(m, g) * g, m.yield_stress + m.consistency * std::pow(g, m.flow_index),
+                1e-9 * m.yield_stress);
+  }
+}
+
+TEST(Rheology, NoYieldAndUnitIndexIsNewtonian) {
+  Material water;
+  water.yield_stress = 0.0;
+  water.consistency = 0.001;
+  water.flow_index = 1.0;
+  EXPECT_EQ(apparent_viscosity(water, 0.0), 0.001);
+  EXPECT_EQ(apparent_viscosity(water, 1e4), 0.001);
+}
+
+TEST(Quadrature, IsOneForAnIsotropicCompleteNeighbourhood) {
+  EXPECT_NEAR(viscous_quadrature(1.0, 0.0, 1.0, 0.0, 5.0), 1.0, 1e-12);
+  EXPECT_NEAR(viscous_quadrature(1.0, 0.0, 1.0, 3.0, -4.0), 1.0, 1e-12);
+}
+
+TEST(Quadrature, MakesUpForRowsThatShearAlongEachOther) {
+  // P = 1.14, Q = 0.82: simple shear (a = 0) sees Q alone, extension (b = 0) sees P alone
+  EXPECT_NEAR(viscous_quadrature(1.14, 0.0, 0.82, 0.0, 1.0), 1.0 / 0.82, 1e-9);
+  EXPECT_NEAR(viscous_quadrature(1.14, 0.0, 0.82, 1.0, 0.0), 1.0 / 1.14, 1e-9);
+}
+
+TEST(Quadrature, DoesNotRefillACutOffSupport) {
+  // half a neighbourhood, isotropic: the factor must stay near 0.5/0.97 x 2 = 1.03, not 2
+  EXPECT_LT(viscous_quadrature(0.5, 0.0, 0.5, 0.0, 1.0), 1.05);
+}
+
+TEST(Quadrature, IsBoundedAndDefinedWithoutNeighbours) {
+  EXPECT_EQ(viscous_quadrature(0.0, 0.0, 0.0, 1.0, 1.0), 1.0);
+  EXPECT_LE(viscous_quadrature(2.0, 0.0, 1e-9, 0.0, 1.0), 2.0);
+}
+
+}  // namespace
+}  // namespace parapet::solver

@@ -1,0 +1,166 @@
+// Whole runs at a coarse spacing: what must hold of every run, whatever the numbers.
+#include "parapet/solver/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "channel.hpp"
+#include "gauges/recorder.hpp"
+
+namespace parapet::solver {
+namespace {
+
+Scene deflector_scene() {
+  Scene scene;
+  Barrier barrier;
+  barrier.deflector = Deflector{0.785, 0.065};
+  scene.barriers = {barrier};
+  return scene;
+}
+
+Numerics coarse(double spacing = 0.0125) {
+  Numerics numerics;
+  numerics.spacing = spacing;
+  return numerics;
+}
+
+RunOptions until(double stop_time) {
+  RunOptions options;
+  options.stop_time = stop_time;
+  options.settled.enabled = false;
+  return options;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+TEST(Simulation, MassIsConservedAndNothingEntersAWall) {
+  Scene scene = deflector_scene();
+  scene.domain_length = 1.4;  // so that overflow leaves and is accounted for
+  const Result result = simulate(scene, coarse(), until(1.5));
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  EXPECT_GT(result.mass.particles_left, 0);
+  // a sum of some hundred equal numbers: relative rounding 1e-14
+  EXPECT_NEAR(result.mass.in_domain + result.mass.left_domain, result.mass.released,
+              1e-13 * result.mass.released);
+  EXPECT_EQ(result.statistics.max_particles_inside_walls, 0);
+}
+
+TEST(Simulation, TheSameBitsOnAnyNumberOfThreads) {
+  // 5 mm: 2,400 particles, enough to be shared out
+  RunOptions one = until(0.06), three = until(0.06);
+  three.threads = 3;
+  const Scene scene = deflector_scene();
+  const Result a = simulate(scene, coarse(0.005), one), b = simulate(scene, coarse(0.005), three);
+  ASSERT_EQ(a.series.rows.size(), b.series.rows.size());
+  for (std::size_t r = 0; r < a.series.rows.size(); ++r) {
+    EXPECT_TRUE(same_bits(a.series.rows[r], b.series.rows[r])) << "row " << r;
+  }
+  EXPECT_EQ(a.statistics.cg_iterations, b.statistics.cg_iterations);
+}
+
+TEST(Simulation, EveryCataloguedMetricIsThereInOrderWithAValueOrAReason) {
+  for (const int n_barriers : {0, 1, 2}) {
+    Scene scene;
+    for (int k = 0; k < n_barriers; ++k) {
+      Barrier barrier;
+      barrier.foot_x = 1.1 + 0.7 * k;
+      scene.barriers.push_back(barrier);
+    }
+    const Result result = simulate(scene, coarse(0.025), until(0.1));
+    const auto catalog = metric_catalog(n_barriers);
+    ASSERT_EQ(result.metrics.size(), catalog.size());
+    std::set<std::string> keys;
+    for (std::size_t k = 0; k < catalog.size(); ++k) {
+      EXPECT_EQ(result.metrics[k].key, catalog[k].key);
+      EXPECT_EQ(result.metrics[k].value.has_value(), result.metrics[k].absent_reason.empty());
+      if (!catalog[k].may_be_absent) EXPECT_TRUE(result.metrics[k].value) << catalog[k].key;
+      EXPECT_FALSE(catalog[k].definition.empty());
+      keys.insert(catalog[k].key);
+    }
+    EXPECT_EQ(keys.size(), catalog.size()) << "a key stands twice";
+  }
+}
+
+TEST(Simulation, NothingOverflowsAHighBarrierAndTheLaunchIsAbsentWithAReason) {
+  Scene scene;
+  Barrier barrier;
+  barrier.height = 0.35;
+  scene.barriers = {barrier};
+  const Result result = simulate(scene, coarse(0.02), until(1.2));
+  ASSERT_EQ(result.status, Status::ok);
+  EXPECT_EQ(result.find_metric("retention_efficiency")->value, 1.0);
+  EXPECT_FALSE(result.find_metric("launch_length_m")->value);
+  EXPECT_NE(result.find_metric("launch_length_m")->absent_reason, "");
+}
+
+TEST(Simulation, AFailureIsDataWithAReason) {
+  Scene scene = deflector_scene();
+  Numerics numerics = coarse(0.02);
+  numerics.sound_speed = 2.0;  // the flow reaches 2 m/s: no longer weakly compressible
+  const Result result = simulate(scene, numerics, until(1.0));
+  EXPECT_EQ(result.status, Status::failed);
+  EXPECT_TRUE(result.stop_reason == StopReason::runaway_speed ||
+              result.stop_reason == StopReason::density_range);
+  EXPECT_NE(result.reason.find("at t = "), std::string::npos) << result.reason;
+  EXPECT_FALSE(result.series.rows.empty());
+}
+
+TEST(Simulation, CanBeCancelledBetweenSamples) {
+  Callbacks callbacks;
+  callbacks.on_progress = [](const Progress& p) { return p.time < 0.05; };
+  const Result result = simulate(deflector_scene(), coarse(0.02), until(1.0), callbacks);
+  EXPECT_EQ(result.status, Status::cancelled);
+  EXPECT_LT(result.stop_time, 0.06);
+}
+
+TEST(Simulation, SamplesFallOnTheirTimesAndFramesCarryEveryParticle) {
+  RunOptions options = until(0.1);
+  options.series_interval = 0.02;
+  options.frame_interval = 0.04;
+  int frames = 0;
+  Callbacks callbacks;
+  callbacks.on_frame = [&](const Frame& frame) {
+    ++frames;
+    EXPECT_EQ(frame.x.size(), 150u);  // 15 x 10 particles of 20 mm
+    EXPECT_EQ(frame.id.size(), frame.x.size());
+    EXPECT_GT(frame.wall_x.size(), 100u);
+  };
+  const Result result = simulate(deflector_scene(), coarse(0.02), options, callbacks);
+  ASSERT_EQ(result.series.rows.size(), 6u);
+  for (std::size_t r = 0; r < 6; ++r) EXPECT_NEAR(result.series.rows[r][0], 0.02 * double(r), 1e-12);
+  EXPECT_EQ(frames, 3);
+}
+
+TEST(Simulation, BarrierForceAtRestIsTheWeightItHolds) {
+  // A pond against a bed-normal stem on a flat bed: force = rho g h^2/2 on the upstream face
+  Scene scene;
+  scene.slope = 0.0;
+  scene.reservoir_length = 0.4;
+  scene.reservoir_height = 0.12;
+  Barrier barrier;
+  barrier.foot_x = 0.4001;
+  barrier.height = 0.3;
+  scene.barriers = {barrier};
+  const Result result = simulate(scene, coarse(0.01), until(0.5));
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  const auto& columns = result.series.columns;
+  const auto column = static_cast<std::size_t>(
+      std::find(columns.begin(), columns.end(), "barrier_1_force_x_n_per_m") - columns.begin());
+  double force = 0.0;
+  int samples = 0;
+  for (const auto& row : result.series.rows) {
+    if (row[0] < 0.3) continue;
+    force += row[column];
+    ++samples;
+  }
+  // rho g h^2/2 = 80.2 N/m. Wall points smear the pressure over h: 5 % at 12 particles of depth.
+  EXPECT_NEAR(force / samples, 0.5 * 1135.0 * 9.81 * 0.12 * 0.12, 0.05 * 80.2);
+}
+
+}  // namespace
+}  // namespace parapet::solver
