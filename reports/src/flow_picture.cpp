@@ -114,10 +114,11 @@ void draw_color_bar(Canvas& canvas, const Layout& layout, double limit, bool ope
   PixelBox bar = layout.color_bar;
   const double tip = 0.9 * layout.font;
   if (open_end) {  // faster particles exist: the bar ends in an arrow
-    canvas.fill_polygon({{bar.left, bar.top + tip},
-                         {bar.left + 0.5 * bar.width, bar.top},
-                         {bar.right(), bar.top + tip}},
-                        viridis(1.0));
+    const std::vector<Pixel> arrow{{bar.left, bar.top + tip},
+                                   {bar.left + 0.5 * bar.width, bar.top},
+                                   {bar.right(), bar.top + tip}};
+    canvas.fill_polygon(arrow, viridis(1.0));
+    canvas.outline_polygon(arrow, {frame_color, 0.06 * layout.font, {}});
     bar.top += tip;
     bar.height -= tip;
   }
