@@ -47,7 +47,7 @@ void check_barrier(Findings& f, const Scene& scene, const Barrier& b, const std:
     f.require(b.deflector->length > 0.0, name + " deflector length", b.deflector->length, "m",
               "more than 0");
     // steeper than the stem it would fold over; lower than this it would fold into it
-    const double against_stem = b.deflector->angle - b.stem_lean;
+    const double against_stem = b.deflector->angle + b.stem_lean;
     f.require(against_stem >= -1.05 && against_stem <= 2.1, name + " deflector angle",
               b.deflector->angle, "rad", "-60 to 120 deg against the stem's normal");
   }

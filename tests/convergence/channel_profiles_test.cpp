@@ -83,8 +83,8 @@ double poiseuille_speed(const Material& m, double gradient, double half, double 
 double poiseuille_error(const Material& material, int across, Integrator integrator, double time) {
   const double half = 0.02, gradient = 1e4;  // [m], [Pa/m]
   const auto exact = [&](double z) { return poiseuille_speed(material, gradient, half, z - half); };
-  FlowSetup setup = periodic_channel(material, {gradient / material.density, 0.0}, 2.0 * half,
-                                     across, true, 4.0);
+  FlowSetup setup =
+      periodic_channel(material, {gradient / material.density, 0.0}, 2.0 * half, across, true, 4.0);
   setup.numerics.integrator = integrator;
   return measure(std::move(setup), time, 2.0 * half, exact).error;
 }
@@ -100,7 +100,7 @@ Material newtonian() {
 TEST(Poiseuille, NewtonianErrorFallsWithTheSpacing) {
   const double coarse = poiseuille_error(newtonian(), 10, Integrator::implicit_viscosity, 0.4);
   const double fine = poiseuille_error(newtonian(), 20, Integrator::implicit_viscosity, 0.4);
-  EXPECT_LT(fine, 0.010);  // measured 0.6 %; what is left is the disorder of the particles
+  EXPECT_LT(fine, 0.010);         // measured 0.6 %; what is left is the disorder of the particles
   EXPECT_GT(coarse / fine, 1.8);  // measured 2.5, order 1.3
 }
 
@@ -125,15 +125,14 @@ TEST(Incline, UniformHerschelBulkleyFlow) {
   const double surface = m.flow_index / (m.flow_index + 1.0) *
                          std::pow(drive / m.consistency, 1.0 / m.flow_index) *
                          std::pow(sheared, power);
-  const double discharge =
-      surface * (depth - m.flow_index * sheared / (2.0 * m.flow_index + 1.0));
+  const double discharge = surface * (depth - m.flow_index * sheared / (2.0 * m.flow_index + 1.0));
   ASSERT_NEAR(surface, 0.6106, 5e-5);
   ASSERT_NEAR(discharge, 0.02123, 5e-6);
   const auto exact = [&](double z) {
     return z < sheared ? surface * (1.0 - std::pow(1.0 - z / sheared, power)) : surface;
   };
-  FlowSetup setup = periodic_channel(m, {g * std::sin(slope), -g * std::cos(slope)}, depth, 14,
-                                     false, 15.0);
+  FlowSetup setup =
+      periodic_channel(m, {g * std::sin(slope), -g * std::cos(slope)}, depth, 14, false, 15.0);
   for (InitialParticle& p : setup.particles) {
     p.u = exact(p.z);
     p.density += m.density * g * std::cos(slope) * (depth - p.z) / (15.0 * 15.0);

@@ -9,7 +9,9 @@
 namespace parapet::solver {
 namespace {
 
-double w(double r, double h) { return make_kernel(h, h).alpha * kernel_shape(r / h); }
+double w(double r, double h) {
+  return make_kernel(h, h).alpha * kernel_shape(r / h);
+}
 
 TEST(Kernel, IntegratesToOneOverThePlane) {
   const double h = 0.0133;

@@ -148,8 +148,8 @@ TEST(Passes, DensityRateIsEquations6And7) {
       const Vec2 slopes{f.density_grad_x[i] + f.density_grad_x[j],
                         f.density_grad_z[i] + f.density_grad_z[j]};
       const Vec2 rji = -1.0 * r;
-      diffusion += (2.0 * (f.density[j] - f.density[i]) - dot(slopes, rji)) * dot(rji, grad) /
-                   dot(r, r);
+      diffusion +=
+          (2.0 * (f.density[j] - f.density[i]) - dot(slopes, rji)) * dot(rji, grad) / dot(r, r);
       divergence += dot(sj - si, grad);
       momentum = momentum + f.density[j] * dot(sj, grad) * uj + f.density[i] * dot(si, grad) * ui;
     });

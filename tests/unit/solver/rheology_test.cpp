@@ -17,8 +17,8 @@ TEST(Rheology, TableOneCutOffViscosity) {
 TEST(Rheology, StressAboveTheCutOffIsHerschelBulkley) {
   const Material m;
   for (const double g : {0.2, 1.0, 30.0, 200.0}) {
-    EXPECT_NEAR(apparent_viscosity(m, g) * g, m.yield_stress + m.consistency * std::pow(g, m.flow_index),
-                1e-9 * m.yield_stress);
+    EXPECT_NEAR(apparent_viscosity(m, g) * g,
+                m.yield_stress + m.consistency * std::pow(g, m.flow_index), 1e-9 * m.yield_stress);
   }
 }
 

@@ -28,13 +28,19 @@ TEST(SceneChecks, NameWhatIsWrong) {
          s.barriers.push_back(s.barriers[0]);
          s.barriers[1].foot_x = 1.11;
        }},
-      {"deflector angle is 3", [](Scene& s) { s.barriers[0].deflector = Deflector{3.0, 0.065}; }},
+      {"deflector angle is 3",
+       [](Scene& s) {
+         s.barriers[0].deflector = Deflector{3.0, 0.065};
+       }},
       {"lowest corner above the bed",
        [](Scene& s) {
          s.barriers[0].height = 0.02;
          s.barriers[0].deflector = Deflector{-0.6, 0.2};
        }},
-      {"counter-clockwise", [](Scene& s) { s.solids = {{{{1, 0}, {1, 1}, {2, 0}}}}; }},
+      {"counter-clockwise",
+       [](Scene& s) {
+         s.solids = {{{{1, 0}, {1, 1}, {2, 0}}}};
+       }},
   };
   for (const WrongScene& wrong : cases) {
     Scene scene;

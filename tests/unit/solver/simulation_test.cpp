@@ -132,7 +132,8 @@ TEST(Simulation, SamplesFallOnTheirTimesAndFramesCarryEveryParticle) {
   };
   const Result result = simulate(deflector_scene(), coarse(0.02), options, callbacks);
   ASSERT_EQ(result.series.rows.size(), 6u);
-  for (std::size_t r = 0; r < 6; ++r) EXPECT_NEAR(result.series.rows[r][0], 0.02 * double(r), 1e-12);
+  for (std::size_t r = 0; r < 6; ++r)
+    EXPECT_NEAR(result.series.rows[r][0], 0.02 * double(r), 1e-12);
   EXPECT_EQ(frames, 3);
 }
 
