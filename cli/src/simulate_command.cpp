@@ -10,6 +10,7 @@
 #include "parapet/reports/vtk_frames.hpp"
 #include "parapet/study/folder_lock.hpp"
 #include "parapet/study/hashes.hpp"
+#include "parapet/study/thread_count.hpp"
 #include "picture_moments.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
@@ -27,6 +28,7 @@ struct SimulateOptions : CommonOptions {
   std::optional<double> frame_interval_s;
   bool picture = false;
   std::vector<double> picture_times_s;
+  std::optional<int> threads;
 };
 
 /// Frames and picture of one run, fed by the solver's callback.
@@ -134,12 +136,13 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   const study::FolderLock lock(folder);
   std::optional<FlowRecorder> recorder;
   writing([&] { recorder.emplace(options, spec, folder); });
-  const solver::Result result = run_solver(session, spec, options.jobs, *recorder);
+  const int threads = options.threads.value_or(study::worthwhile_threads(spec, core_count()));
+  const solver::Result result = run_solver(session, spec, threads, *recorder);
   if (result.status == solver::Status::cancelled) {
     session.log->error("interrupted at {:.3f} s of flow; no result was written", result.stop_time);
     return exit_interrupted;
   }
-  write_result(session, spec, result, options.jobs, folder);
+  write_result(session, spec, result, threads, folder);
   writing([&] { recorder->finish(session); });
   fmt::print("{}: {}, {} at {:.3f} s of flow, {} steps in {}\n{}results: {}\n", spec.name,
              solver::to_string(result.status), solver::to_string(result.stop_reason),
@@ -158,9 +161,9 @@ void add_simulate(CLI::App& app, Session& session) {
   verb->add_option("CASE", options->spec, "Case file, or the name of a shipped one")->required();
   add_out(*verb, *options, "runs/NAME-simulate");
   add_spacing(*verb, *options);
-  verb->add_option("-j,--jobs,--threads", options->jobs,
-                   "Threads of the simulation (default: the number of cores); the result does not "
-                   "depend on it")
+  verb->add_option("-j,--jobs,--threads", options->threads,
+                   "Threads of the simulation (default: the number of cores, fewer for few "
+                   "particles); the result does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   verb->add_flag("--frames", options->frames, "Write particle frames for ParaView into DIR/frames");

@@ -5,6 +5,7 @@
 #include "parapet/reports/result_json.hpp"
 #include "parapet/study/hashes.hpp"
 #include "parapet/study/scoring.hpp"
+#include "parapet/study/thread_count.hpp"
 
 namespace parapet::study {
 namespace {
@@ -58,12 +59,12 @@ DesignRun run_design(const designs::StudySpec& study, const designs::Design& des
     designs::CaseSpec spec = designs::design_case(study, design);
     run.record.spacing = spec.numerics.spacing;
     run.report["provenance"]["numerics"] = spec.resolved.at("numerics");
-    spec.run.threads = threads;
+    spec.run.threads = worthwhile_threads(spec, threads);
     const solver::Result result = solver::simulate(spec.scene, spec.numerics, spec.run, callbacks);
     run.cancelled = result.status == solver::Status::cancelled;
     record_result(study, run, result);
-    run.report["simulation"] =
-        simulation_json(reports::result_json(study.name, result, nullptr, nullptr, threads));
+    run.report["simulation"] = simulation_json(
+        reports::result_json(study.name, result, nullptr, nullptr, spec.run.threads));
     run.report["case"] = spec.resolved;
     run.report["series"] = reports::series_json(result.series);
   } catch (const designs::InputError& error) {

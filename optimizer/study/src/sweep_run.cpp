@@ -10,6 +10,7 @@
 #include "parapet/study/folder_lock.hpp"
 #include "parapet/study/hashes.hpp"
 #include "parapet/study/side_by_side.hpp"
+#include "parapet/study/thread_count.hpp"
 #include "sweep_row_file.hpp"
 
 namespace parapet::study {
@@ -101,7 +102,7 @@ class SweepRun {
 
   void simulate(const designs::SweepRow& row, int threads) {
     solver::RunOptions run = row.spec.run;
-    run.threads = threads;
+    run.threads = worthwhile_threads(row.spec, threads);
     solver::Callbacks callbacks;
     callbacks.on_progress = [&](const solver::Progress& progress) {
       if (options_.hooks.on_simulation) options_.hooks.on_simulation(row.id, progress);
@@ -114,7 +115,7 @@ class SweepRun {
       return;
     }
     const std::scoped_lock guard(mutex_);
-    write_finished_row(rows_folder_, row, result, options_.program, threads);
+    write_finished_row(rows_folder_, row, result, options_.program, run.threads);
     const auto [place, added] =
         finished_.insert_or_assign(row.id, reports::make_sweep_row_result(row, result));
     write_table();

@@ -17,6 +17,7 @@ struct DesignRun {
 
 /// Simulates a design. An impossible scene, a failed simulation or an objective without a value
 /// gives a failed record with the reason, not an exception.
+/// @param threads at most so many, see worthwhile_threads
 DesignRun run_design(const designs::StudySpec& study, const designs::Design& design,
                      const reports::ProgramInfo& program, int threads,
                      const solver::Callbacks& callbacks);

@@ -1,0 +1,106 @@
+// parapet simulate: its files, and that threads change nothing but the timing.
+#include <gtest/gtest.h>
+
+#include "program_runner.hpp"
+#include "tiny_specs.hpp"
+
+namespace parapet::test {
+namespace {
+
+using designs::Json;
+using ::testing::IsSubstring;
+
+TEST(Simulate, WritesResultAndSeries) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  const Outcome outcome = run_program(folder.path(), {"simulate", "case.json", "--threads", "1"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto out = folder / "runs/tiny-simulate";
+  const std::string text = file_text(out / "result.json");
+  EXPECT_TRUE(text.ends_with("}\n"));
+  const Json result = Json::parse(text);
+  EXPECT_EQ(result["format"], "parapet-result/1");
+  EXPECT_EQ(result["status"], "ok");
+  EXPECT_EQ(result["name"], "tiny");
+  EXPECT_EQ(result["provenance"]["spacing_m"], 0.02);
+  EXPECT_EQ(result["provenance"]["integrator"], "implicit_viscosity");
+  EXPECT_FALSE(result["provenance"].contains("threads"));
+  EXPECT_EQ(result["timing"]["threads"], 1);
+  EXPECT_EQ(result["case"]["format"], "parapet-case/1");
+  const Json& mass = result["mass"];
+  // The block is 0.2 m x 0.1 m of 1135 kg/m3, filled exactly by the lattice.
+  EXPECT_NEAR(mass["released_kg_per_m"].get<double>(), 22.7, 1e-9);
+  for (const auto& [key, value] : result["metrics"].items()) {
+    EXPECT_EQ(value.is_null(), result["metrics_absent"].contains(key)) << key;
+  }
+  const std::string series = file_text(out / "series.csv");
+  EXPECT_TRUE(series.starts_with("time_s,"));
+  // A sample every 5 ms of half a second, the first at 0, and the header.
+  EXPECT_EQ(line_count(out / "series.csv"), 102U);
+  EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, "nan", series);
+}
+
+TEST(Simulate, ThreadsChangeNothingButTheTiming) {
+  const TemporaryFolder folder;
+  Json spec = tiny_case();
+  // Enough particles that two threads really share the work (blocks of 128).
+  spec["numerics"]["spacing_m"] = 0.01;
+  spec["run"]["stop_time_s"] = 0.25;
+  folder.write("case.json", spec.dump());
+  std::vector<std::string> results, series;
+  for (const char* threads : {"1", "2"}) {
+    const std::string out = std::string("threads-") + threads;
+    const Outcome outcome =
+        run_program(folder.path(), {"simulate", "case.json", "--threads", threads, "--out", out});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    Json result = Json::parse(file_text(folder / out / "result.json"));
+    EXPECT_EQ(result["timing"]["threads"], std::stoi(threads));
+    result.erase("timing");
+    results.push_back(result.dump());
+    series.push_back(file_text(folder / out / "series.csv"));
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(series[0], series[1]);
+}
+
+TEST(Simulate, FramesAndPictureChangeNoResult) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  const Outcome plain =
+      run_program(folder.path(), {"simulate", "case.json", "--threads", "1", "--out", "plain"});
+  const Outcome rich = run_program(
+      folder.path(), {"simulate", "case.json", "--threads", "1", "--out", "rich", "--frames",
+                      "--frame-interval-s", "0.1", "--picture-times-s", "0.1,0.4,3"});
+  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  ASSERT_EQ(rich.exit_code, 0) << rich.err;
+  EXPECT_EQ(file_text(folder / "plain/series.csv"), file_text(folder / "rich/series.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "rich/flow.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "rich/frames/tiny.pvd"));
+  EXPECT_PRED_FORMAT2(IsSubstring, "6 frames", rich.err);  // 0, 0.1 ... 0.5 s
+  EXPECT_PRED_FORMAT2(IsSubstring, "no picture at 3", rich.err);
+  EXPECT_FALSE(std::filesystem::exists(folder / "plain/frames"));
+}
+
+TEST(Simulate, FailedRunIsARecordedResultAndExitCodeOne) {
+  const TemporaryFolder folder;
+  Json spec = tiny_case();
+  make_unsolvable(spec);
+  folder.write("case.json", spec.dump());
+  const Outcome outcome = run_program(folder.path(), {"simulate", "case.json", "--out", "out"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_PRED_FORMAT2(IsSubstring, "the run failed", outcome.err);
+  const Json result = Json::parse(file_text(folder / "out/result.json"));
+  EXPECT_EQ(result["status"], "failed");
+  EXPECT_NE(result["reason"], "");
+}
+
+TEST(Simulate, QuietSaysNothingOnStandardError) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  const Outcome outcome = run_program(folder.path(), {"simulate", "case.json", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+}
+
+}  // namespace
+}  // namespace parapet::test
