@@ -46,7 +46,8 @@ TEST(ViscousSolve, KeepsMomentumAndTakesEnergyAway) {
   }
   // the tolerance is an acceleration: 1e-9 m/s2 x 1 ms x 25.5 kg/m
   EXPECT_LT(std::abs(px) + std::abs(pz), 1e-10);
-  EXPECT_LT(after, 0.2 * before);  // nu dt/dx^2 = 8: random motion is wiped out
+  // random motion at 100 1/s makes the fluid thin, nu dt/dx^2 = 0.03: about a quarter is dissipated
+  EXPECT_LT(after, 0.9 * before);
 }
 
 TEST(ViscousSolve, AgreesWithTheExplicitForceForSmallSteps) {
