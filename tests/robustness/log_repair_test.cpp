@@ -1,0 +1,144 @@
+// The evaluation log: exact, durable, and repaired wherever a crash may have cut it.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <limits>
+
+#include "parapet/reports/atomic_file.hpp"
+#include "parapet/reports/evaluation_log.hpp"
+#include "program_runner.hpp"
+
+namespace parapet::test {
+namespace {
+
+using reports::EvaluationLog;
+using reports::EvaluationRecord;
+using ::testing::IsSubstring;
+
+EvaluationRecord sample(int number) {
+  EvaluationRecord record;
+  record.id = reports::evaluation_id(number);
+  record.stage = "search";
+  record.design = {{"angle_deg", 0.1 * number}, {"height_m", 1.0 / (3.0 + number)}};
+  record.ok = true;
+  record.metrics = {{"retention_efficiency", 0.7, ""},
+                    {"launch_length_m", {}, "no \"overflow\"\n"}};
+  record.objectives = {{"retention_efficiency", designs::Goal::maximize, 1.0, 0.7, false}};
+  record.objective_scalar = -0.7;
+  record.constraints = {{"stem", 0.1, {}, 0.2, true, 0.1}};
+  record.feasible = true;
+  record.spacing = 0.01;
+  record.wall_time = 1.5;
+  return record;
+}
+
+void write_log(const std::filesystem::path& file, int records) {
+  EvaluationLog log(file);
+  for (int k = 1; k <= records; ++k) log.append(sample(k));
+}
+
+TEST(EvaluationLogFile, KeepsEveryBitOfEveryNumber) {
+  const TemporaryFolder folder;
+  EvaluationRecord record = sample(1);
+  record.design = {{"a", 0.1 + 0.2},
+                   {"b", std::numeric_limits<double>::denorm_min()},
+                   {"c", std::numeric_limits<double>::max()},
+                   {"d", 1.0 / 3.0},
+                   {"e", 45.0}};
+  {
+    EvaluationLog log(folder / "log");
+    log.append(record);
+  }
+  const EvaluationLog log(folder / "log");
+  ASSERT_EQ(log.records().size(), 1U);
+  EXPECT_EQ(log.records().front().design, record.design);
+  EXPECT_EQ(reports::to_json(log.records().front()), reports::to_json(record));
+  ASSERT_NE(log.find(record.design), nullptr);
+  record.design["d"] = std::nextafter(1.0 / 3.0, 1.0);
+  EXPECT_EQ(log.find(record.design), nullptr) << "the neighbouring double is another design";
+}
+
+// A crash may leave any number of bytes of the last line.
+TEST(EvaluationLogFile, IsRepairedAfterACutAtAnyByteOfTheLastLine) {
+  const TemporaryFolder folder;
+  write_log(folder / "whole", 3);
+  const std::string whole = file_text(folder / "whole");
+  const std::size_t last_line = whole.rfind('\n', whole.size() - 2) + 1;
+  for (std::size_t size = last_line; size < whole.size(); ++size) {
+    const std::filesystem::path file = folder.write("cut", whole.substr(0, size));
+    std::filesystem::remove(folder / "cut.damaged");
+    const bool only_line_end_missing = size + 1 == whole.size();
+    const bool nothing_begun = size == last_line;
+    {
+      EvaluationLog log(file);
+      ASSERT_EQ(log.records().size(), only_line_end_missing ? 3U : 2U) << "cut at " << size;
+      EXPECT_EQ(log.repair_note().empty(), only_line_end_missing || nothing_begun) << size;
+      if (!only_line_end_missing) log.append(sample(3));
+    }
+    ASSERT_EQ(file_text(file), whole) << "cut at " << size;
+    if (!only_line_end_missing && !nothing_begun) {
+      EXPECT_EQ(file_text(folder / "cut.damaged"),
+                whole.substr(last_line, size - last_line) + "\n");
+    }
+  }
+}
+
+TEST(EvaluationLogFile, LastLineOfZerosIsCutOff) {
+  const TemporaryFolder folder;
+  write_log(folder / "log", 2);
+  const std::string before = file_text(folder / "log");
+  // What some file systems leave after a power cut: the length without the content.
+  folder.write("log", before + std::string(100, '\0'));
+  const EvaluationLog log(folder / "log");
+  EXPECT_EQ(log.records().size(), 2U);
+  EXPECT_EQ(file_text(folder / "log"), before);
+}
+
+TEST(EvaluationLogFile, DamageBeforeTheLastLineIsAnErrorThatChangesNothing) {
+  const TemporaryFolder folder;
+  write_log(folder / "log", 3);
+  std::string text = file_text(folder / "log");
+  text[text.find('\n') + 5] = '\x07';
+  folder.write("log", text);
+  try {
+    const EvaluationLog log(folder / "log");
+    FAIL() << "accepted a damaged line";
+  } catch (const designs::InputError& error) {
+    EXPECT_PRED_FORMAT2(IsSubstring, "line 2", error.what());
+  }
+  EXPECT_EQ(file_text(folder / "log"), text);
+}
+
+TEST(EvaluationLogFile, RepeatedIdIsAnError) {
+  const TemporaryFolder folder;
+  write_log(folder / "log", 2);
+  const std::string text = file_text(folder / "log");
+  const std::string first = text.substr(0, text.find('\n') + 1);
+  folder.write("log", first + text);
+  EXPECT_THROW(EvaluationLog(folder / "log"), designs::InputError);
+}
+
+// A file-size limit behaves as a full disk does: the write stops half-way.
+TEST(EvaluationLogFile, FullDiskLeavesNoHalfLine) {
+  const TemporaryFolder folder;
+  EvaluationLog log(folder / "log");
+  log.append(sample(1));
+  const std::string before = file_text(folder / "log");
+  rlimit usual{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &usual), 0);
+  rlimit tight = usual;
+  tight.rlim_cur = before.size() + 20;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
+  EXPECT_THROW(log.append(sample(2)), reports::FileError);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &usual), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(file_text(folder / "log"), before);
+  EXPECT_EQ(log.records().size(), 1U);
+  log.append(sample(2));
+  EXPECT_EQ(line_count(folder / "log"), 2U);
+}
+
+}  // namespace
+}  // namespace parapet::test
