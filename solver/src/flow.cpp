@@ -13,7 +13,9 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double density_limit = 0.2;    // |rho/rho_0 - 1| beyond this is no longer this fluid
+// |rho/rho_0 - 1| beyond this is no longer this fluid. A jet that closes a corner is compressed by
+// a quarter for a millisecond (impact speed over sound speed, reflected from both walls).
+constexpr double density_limit = 0.5;
 constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
 constexpr double shortest_step = 1e-10;  // [s]
 
