@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index.hpp"
 #include "parallel.hpp"
 #include "rheology.hpp"
 #include "shifting.hpp"
 #include "time_integrator.hpp"
 #include "time_step.hpp"
-#include "wall_contact.hpp"
 
 namespace parapet::solver {
 namespace {
@@ -18,10 +18,6 @@ namespace {
 constexpr double density_limit = 0.5;
 constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
 constexpr double shortest_step = 1e-10;  // [s]
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 
@@ -157,36 +153,6 @@ void Flow::update_density_rate(std::vector<double>& rate, std::vector<double>& s
   });
 }
 
-void Flow::measure_barrier_load(double dt) {
-  if (impulses_.empty()) return;
-  const FlowArrays a = arrays();
-  const std::int32_t* active = a.rows.active_wall;
-  const auto first = static_cast<int>(
-      std::lower_bound(active, active + a.rows.n_active, first_barrier_point_) - active);
-  load_x_.resize(at(a.rows.n_active));
-  load_z_.resize(at(a.rows.n_active));
-  for_blocks(a.rows.n_active - first, threads(), [&](int begin, int end) {
-    passes_.wall_load(a, load_x_.data(), load_z_.data(), first + begin, first + end);
-  });
-  for (int s = first; s < a.rows.n_active; ++s) {
-    const auto k = at(active[s]);
-    const Face& face = setup_.solids.faces[at(walls_.face[k])];
-    if (face.barrier < 0) continue;
-    BarrierImpulse& impulse = impulses_[at(face.barrier)];
-    const Vec2 force{load_x_[at(s)], load_z_[at(s)]};
-    const Vec2 foot = setup_.solids.bodies[at(face.body)].outline.front();
-    const Vec2 arm = Vec2{walls_.x[k], walls_.z[k]} - foot;
-    impulse.force = impulse.force + dt * force;
-    impulse.moment -= dt * cross(arm, force);  // clockwise is downstream
-  }
-}
-
-std::vector<BarrierImpulse> Flow::take_impulses() {
-  std::vector<BarrierImpulse> taken(impulses_.size());
-  taken.swap(impulses_);
-  return taken;
-}
-
 std::optional<Failure> Flow::check_state() {
   const double rho_0 = setup_.material.density;
   double speed2 = 0.0, compression = 0.0;
@@ -213,33 +179,6 @@ std::optional<Failure> Flow::check_state() {
   return std::nullopt;
 }
 
-void Flow::stop_at_walls() {
-  const WallContact contact{setup_.solids.faces, 0.02 * setup_.numerics.spacing};
-  for (int i = 0; i < fluid_.n; ++i) {
-    if (!rows_.touches_wall(i)) continue;
-    const auto k = at(i);
-    const Vec2 before{x_before_[k], z_before_[k]};
-    const std::vector<int>& faces = rows_.faces_near(before);
-    ParticleMotion motion{before, {fluid_.x[k], fluid_.z[k]}, {fluid_.u[k], fluid_.w[k]}};
-    const int face = contact.apply(motion, faces);
-    if (face < 0) continue;
-    ++statistics_.wall_contacts;
-    const int barrier = setup_.solids.faces[at(face)].barrier;
-    if (barrier >= 0) {
-      const Vec2 lost = Vec2{fluid_.u[k], fluid_.w[k]} - motion.velocity;
-      BarrierImpulse& impulse = impulses_[at(barrier)];
-      const Vec2 foot =
-          setup_.solids.bodies[at(setup_.solids.faces[at(face)].body)].outline.front();
-      impulse.force = impulse.force + fluid_.mass[k] * lost;
-      impulse.moment -= fluid_.mass[k] * cross(motion.after - foot, lost);
-    }
-    fluid_.x[k] = motion.after.x;
-    fluid_.z[k] = motion.after.z;
-    fluid_.u[k] = motion.velocity.x;
-    fluid_.w[k] = motion.velocity.z;
-  }
-}
-
 void Flow::remove_departed() {
   std::vector<std::int32_t> leaving;
   for (int i = 0; i < fluid_.n; ++i) {
@@ -257,23 +196,6 @@ void Flow::remove_departed() {
   if (leaving.empty()) return;
   fluid_.remove(leaving);
   rows_.invalidate();
-}
-
-int Flow::particles_inside_walls() const {
-  int inside = 0;
-  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
-    const Vec2 p{fluid_.x[i], fluid_.z[i]};
-    bool bad = false;
-    for (const Face& face : setup_.solids.faces) {
-      if (!setup_.solids.bodies[at(face.body)].outline.empty()) continue;
-      bad = bad || dot(p - face.a, face.normal) <= 0.0;  // unbounded walls are whole half planes
-    }
-    for (const Body& body : setup_.solids.bodies) {
-      bad = bad || (!body.outline.empty() && inside_polygon(body.outline, p));
-    }
-    inside += bad;
-  }
-  return inside;
 }
 
 std::optional<Failure> Flow::step(double longest) {

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index.hpp"
 #include "parallel.hpp"
 
 namespace parapet::solver {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double sum_in_order(const std::vector<double>& partial) {
   double sum = 0.0;

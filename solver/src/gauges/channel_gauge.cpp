@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../index.hpp"
+
 namespace parapet::solver {
 namespace {
 
@@ -12,10 +14,6 @@ constexpr double energy_window = 0.050;  // [m] either side, as in the paper
 constexpr double rest_speed = 0.1;       // [m/s]
 constexpr double rest_layer = 0.020;     // [m] above the bed
 constexpr double rest_bin = 0.020;       // [m] along the bed
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double speed_squared(const Fluid& f, std::size_t i) {
   return f.u[i] * f.u[i] + f.w[i] * f.w[i];
