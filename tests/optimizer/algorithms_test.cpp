@@ -10,6 +10,11 @@
 #include "problem_zoo.hpp"
 
 namespace parapet::optimizer {
+
+// What CTest shows of a case.
+void PrintTo(const AlgorithmInfo& info, std::ostream* out) {
+  *out << info.name;
+}
 namespace {
 
 using zoo::Known;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <ostream>
 #include <stdexcept>
 
 #include "parapet/optimizer/optimize.hpp"
@@ -23,6 +24,11 @@ struct Wrong {
   int n_variables;
   std::vector<std::string> words;  ///< all of them stand in the one error
 };
+
+// What CTest shows of a case.
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+  *out << wrong.what;
+}
 
 class WrongOptions : public testing::TestWithParam<Wrong> {};
 
