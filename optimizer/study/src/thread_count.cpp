@@ -5,7 +5,9 @@
 namespace parapet::study {
 
 int worthwhile_threads(const designs::CaseSpec& spec, int available) {
-  constexpr double particles_per_thread = 300.0;
+  // 2,400 particles on two threads took longer than on one wherever other programs ran as well:
+  // some 50 loops a time step, each ending in a wait of the order of its own work
+  constexpr double particles_per_thread = 2000.0;
   constexpr double most = 1e6;
   const double dx = spec.numerics.spacing;
   const double particles = spec.scene.reservoir_length * spec.scene.reservoir_height / (dx * dx);
