@@ -198,6 +198,14 @@ void Flow::remove_departed() {
   rows_.invalidate();
 }
 
+void Flow::refresh() {
+  update_pressure();
+  if (statistics_.steps > 0) return;
+  prepare_neighbors();
+  update_pressure();
+  update_gradients();
+}
+
 std::optional<Failure> Flow::step(double longest) {
   if (statistics_.steps == 0) {
     update_pressure();
@@ -207,7 +215,9 @@ std::optional<Failure> Flow::step(double longest) {
   update_pressure();
   double max_viscosity = 0.0;
   if (integrator_->explicit_viscosity() && !inviscid()) {
+    // thinning debris is thickest at rest, thickening debris where it shears most
     max_viscosity = apparent_viscosity(setup_.material, 0.0);
+    for (const double eta : fluid_.pair_viscosity) max_viscosity = std::max(max_viscosity, eta);
   }
   const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic
                                                         : integrator_->default_acoustic_cfl();

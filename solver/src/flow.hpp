@@ -76,6 +76,8 @@ class Flow {
   std::vector<BarrierImpulse> take_impulses();
   // Particles inside a solid body, below the bed or behind the back wall.
   int particles_inside_walls() const;
+  // Brings pressure (and, before the first step, viscosity) up to date with the state, for frames.
+  void refresh();
   double smoothing_length() const;
 
   // The terms, for the time integrations; each reads the present state.

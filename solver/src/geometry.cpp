@@ -83,7 +83,8 @@ int first_crossed(std::span<const Face> faces, std::span<const int> candidates, 
   double earliest = 2.0;
   for (const int index : candidates) {
     const auto t = crossing(faces[static_cast<std::size_t>(index)], p, q);
-    if (t && *t < earliest) {
+    // a path through a corner meets two faces at once: the first in the list counts, for every copy
+    if (t && *t < earliest - 1e-12) {
       earliest = *t;
       first = index;
     }

@@ -32,15 +32,16 @@ constexpr std::array channel_entries{
           true},
     Entry{"kinetic_energy_peak_j_per_m",
           "largest kinetic energy in the window 0.05 m either side of the first foot, or of "
-          "the monitored place (Eq. 16)",
+          "the monitored place (Eq. 16), no later than 0.1 s after the flow met the first barrier",
           true},
     Entry{"kinetic_energy_peak_time_s", "time of that peak, the end of the cumulative phase", true},
     Entry{"kinetic_energy_minimum_j_per_m",
-          "smallest kinetic energy in the window between the peak and the plateau, the depth of "
-          "the interaction phase",
+          "energy in the window from which it rises again most, the depth of the interaction phase",
           true},
+    Entry{"kinetic_energy_overflow_peak_j_per_m", "energy to which it rises from there", true},
     Entry{"kinetic_energy_plateau_time_s",
-          "time after which the window's kinetic energy stays below 5 % of its peak", true},
+          "time after which the window's kinetic energy stays below 5 % of its largest value",
+          true},
 };
 
 constexpr std::array overflow_entries{
@@ -55,18 +56,23 @@ constexpr std::array overflow_entries{
           "direction of the momentum of the mass that crosses the first barrier's line until the "
           "impact, against the world's horizontal",
           true},
-    Entry{"launch_speed_m_s", "mean speed of that mass at the crossing", true},
+    Entry{"launch_speed_m_s", "speed of the mean momentum of that mass at the crossing", true},
     Entry{"ballistic_launch_length_m",
           "hand formula (Ng et al. 2023) for a launch from the crossing's mean height, speed and "
           "angle, a cross-check of launch_length_m",
           true},
-    Entry{"dead_zone_length_m",
-          "length along the bed, from the first barrier's foot upstream, of unbroken material "
-          "slower than 0.1 m/s in the lowest 20 mm, when the overflow lands (or at the end)",
-          true},
+    Entry{
+        "dead_zone_length_m",
+        "length along the bed, from the first barrier's foot upstream, over which more material is "
+        "at rest (slower than 0.1 m/s) than the bed alone can hold, deeper than 1.25 tau_y/(rho g "
+        "sin slope) (20 to 100 mm), when the overflow lands (or at the end)",
+        false},
     Entry{"dead_zone_ratio", "dead_zone_length_m over the deflector's length (D_F)", true},
     Entry{"overflow_volume_m3_per_m", "volume that has crossed the first barrier's line", false},
-    Entry{"peak_overflow_discharge_m2_s", "largest discharge over that line, 20 ms mean", false},
+    Entry{
+        "peak_overflow_discharge_m2_s",
+        "largest discharge over that line, mean of 20 ms (or of the series interval, when longer)",
+        false},
 };
 
 constexpr std::array barrier_entries{

@@ -45,13 +45,16 @@ void NeighborRows::prepare_walls() {
     wall_sorted_[at(next[cell_of[k]]++)] = static_cast<std::int32_t>(k);
   }
   cell_faces_.resize(cells);
+  cell_near_wall_.assign(cells, 0);
   const double half_diagonal = 0.5 * std::sqrt(2.0) * cell;
   for (int ix = 0; ix < wall_grid_.nx; ++ix) {
     for (int iz = 0; iz < wall_grid_.nz; ++iz) {
       const Vec2 center{wall_grid_.x0 + (ix + 0.5) * cell, wall_grid_.z0 + (iz + 0.5) * cell};
       for (std::size_t f = 0; f < solids_.faces.size(); ++f) {
         const Face& face = solids_.faces[f];
-        if (distance_to_segment(face.a, face.b, center) <= cell + half_diagonal) {
+        const double distance = distance_to_segment(face.a, face.b, center);
+        if (distance <= 1.5 * cell + half_diagonal) cell_near_wall_[wall_grid_.cell(ix, iz)] = 1;
+        if (distance <= cell + half_diagonal) {
           cell_faces_[wall_grid_.cell(ix, iz)].push_back(static_cast<int>(f));
         }
       }
@@ -65,8 +68,16 @@ const std::vector<int>& NeighborRows::faces_near(Vec2 p) const {
   return cell_faces_[wall_grid_.cell(ix, iz)];
 }
 
-// Two particles of neighbouring cells have moved against each other by no more than the diagonal of
-// the box that holds the displacements of both cells; near a wall the box also holds zero.
+bool NeighborRows::wall_may_be_reached(Vec2 p) const {
+  const int ix = wall_grid_.column(p.x), iz = wall_grid_.row(p.z);
+  if (ix < 0 || iz < 0 || ix >= wall_grid_.nx || iz >= wall_grid_.nz) return false;
+  return !cell_near_wall_.empty() && cell_near_wall_[wall_grid_.cell(ix, iz)] != 0;
+}
+
+// Two particles have moved against each other by no more than the diagonal of the box that holds
+// the displacements of both their cells; near a wall the box also holds zero. Cells up to two apart
+// are compared. No particle may have moved by more than half a cell, so that those of cells three
+// or more apart, and walls more than one and a half cells away, are still out of reach.
 bool NeighborRows::outdated(const Fluid& fluid) const {
   if (!valid_) return true;
   constexpr double none = 1e300;
@@ -84,6 +95,10 @@ bool NeighborRows::outdated(const Fluid& fluid) const {
       z_min = std::min(z_min, dz);
       z_max = std::max(z_max, dz);
     }
+    const double most = 0.25 * (reach_ + skin_) * (reach_ + skin_);
+    const double far_x = std::max(std::abs(x_min), std::abs(x_max));
+    const double far_z = std::max(std::abs(z_min), std::abs(z_max));
+    if (start_[c] < start_[c + 1] && far_x * far_x + far_z * far_z > most) return true;
     if (start_[c] < start_[c + 1] && near_wall_[c]) {
       x_min = std::min(x_min, 0.0);
       x_max = std::max(x_max, 0.0);
@@ -95,14 +110,25 @@ bool NeighborRows::outdated(const Fluid& fluid) const {
     m[4 * c + 2] = z_min;
     m[4 * c + 3] = z_max;
   }
-  static constexpr std::array<std::array<int, 2>, 5> half{
-      {{0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+  static constexpr std::array<std::array<int, 2>, 13> half{{{0, 0},
+                                                            {0, 1},
+                                                            {0, 2},
+                                                            {1, -2},
+                                                            {1, -1},
+                                                            {1, 0},
+                                                            {1, 1},
+                                                            {1, 2},
+                                                            {2, -2},
+                                                            {2, -1},
+                                                            {2, 0},
+                                                            {2, 1},
+                                                            {2, 2}}};
   for (const std::int32_t c : occupied_) {
     const int ix = c / grid_.nz, iz = c % grid_.nz;
     for (const auto& [sx, sz] : half) {
       int jx = ix + sx;
       const int jz = iz + sz;
-      if (periodic_length_ > 0.0 && jx == grid_.nx) jx = 0;
+      if (periodic_length_ > 0.0 && jx >= grid_.nx) jx -= grid_.nx;
       if (jx >= grid_.nx || jz < 0 || jz >= grid_.nz) continue;
       const double* a = &m[4 * at(c)];
       const double* b = &m[4 * grid_.cell(jx, jz)];
@@ -153,7 +179,7 @@ void NeighborRows::sort(Fluid& fluid) {
   for (std::size_t c = 0; c < cells; ++c) {
     if (start_[c] < start_[c + 1]) occupied_.push_back(static_cast<std::int32_t>(c));
     for (int i = start_[c]; i < start_[c + 1] && near_wall_[c] == 0; ++i) {
-      near_wall_[c] = !faces_near({fluid.x[at(i)], fluid.z[at(i)]}).empty();
+      near_wall_[c] = wall_may_be_reached({fluid.x[at(i)], fluid.z[at(i)]});
     }
   }
 }

@@ -48,6 +48,8 @@ class NeighborRows {
   };
 
   void prepare_walls();
+  // Whether a particle from here may reach a wall before it has moved half a cell.
+  bool wall_may_be_reached(Vec2 p) const;
   void sort(Fluid& fluid);
   void fill_block(const Fluid& fluid, int begin, int end, RowBuffer& buffer) const;
   void add_fluid_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
@@ -64,6 +66,7 @@ class NeighborRows {
 
   Grid wall_grid_;  // over the walls
   std::vector<std::int32_t> wall_start_, wall_sorted_;
+  std::vector<char> cell_near_wall_;          // per cell of wall_grid_
   std::vector<std::vector<int>> cell_faces_;  // per cell of wall_grid_
   std::vector<int> no_faces_;
 

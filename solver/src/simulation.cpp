@@ -1,8 +1,10 @@
 #include "parapet/solver/simulation.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "channel.hpp"
 #include "gauges/recorder.hpp"
@@ -15,12 +17,20 @@ void require_sound_input(const Scene& scene, const Numerics& numerics, const Run
   for (const auto& errors : {scene_errors(scene), numerics_errors(numerics), run_errors(options)}) {
     for (const std::string& error : errors) text += (text.empty() ? "" : "; ") + error;
   }
+  constexpr double most = 2e7;  // slots of the neighbour rows are numbered with 32 bits
+  const double dx = numerics.spacing;
+  const double particles = scene.reservoir_length * scene.reservoir_height / (dx * dx);
+  if (text.empty() && !(particles <= most && scene.domain_length / dx <= most)) {
+    text =
+        "particle spacing is " + std::to_string(dx) + " m; allowed: at most 20 million particles";
+  }
   if (!text.empty()) throw std::invalid_argument(text);
 }
 
-void show_frame(const Flow& flow, const Callbacks& callbacks) {
+void show_frame(Flow& flow, const Callbacks& callbacks) {
   if (!callbacks.on_frame) return;
-  const Fluid& f = flow.fluid();
+  flow.refresh();
+  const Fluid& f = std::as_const(flow).fluid();
   const auto n = static_cast<std::size_t>(f.n);
   const std::size_t points = flow.walls().size();
   const auto part = [](const std::vector<double>& values, std::size_t count) {

@@ -20,14 +20,22 @@ struct PeakLoad {
   double moment = 0.0;       // [N m/m]
 };
 
+// Peaks are those of 5 ms means, whatever the interval of the series.
 class LoadGauge {
  public:
-  explicit LoadGauge(std::size_t n_barriers) : peaks_(n_barriers) {}
-  // Loads averaged over the interval that ends at `time`.
-  std::vector<BarrierLoad> read(Flow& flow, double interval, double time);
+  explicit LoadGauge(std::size_t n_barriers)
+      : window_(n_barriers), interval_(n_barriers), peaks_(n_barriers) {}
+  // After every time step.
+  void observe(Flow& flow);
+  // Mean loads since the last reading.
+  std::vector<BarrierLoad> read();
   const std::vector<PeakLoad>& peaks() const { return peaks_; }
 
  private:
+  void close_window(double time);
+
+  std::vector<BarrierImpulse> window_, interval_;
+  double window_time_ = 0.0, interval_time_ = 0.0;  // [s]
   std::vector<PeakLoad> peaks_;
 };
 

@@ -9,14 +9,23 @@ namespace parapet::solver {
 namespace {
 
 constexpr double front_mass_share = 0.005;
-constexpr double depth_window = 0.040;   // [m]
-constexpr double energy_window = 0.050;  // [m] either side, as in the paper
-constexpr double rest_speed = 0.1;       // [m/s]
-constexpr double rest_layer = 0.020;     // [m] above the bed
-constexpr double rest_bin = 0.020;       // [m] along the bed
+constexpr double depth_window = 0.040;      // [m]
+constexpr double energy_window = 0.050;     // [m] either side, as in the paper
+constexpr double rest_speed = 0.1;          // [m/s]
+constexpr double rest_bin = 0.020;          // [m] along the bed
+constexpr double rest_depth_factor = 1.25;  // of the layer that rests without a barrier
+constexpr double rest_depth_least = 0.020, rest_depth_most = 0.100;  // [m]
 
 double speed_squared(const Fluid& f, std::size_t i) {
   return f.u[i] * f.u[i] + f.w[i] * f.w[i];
+}
+
+// On the bed alone a layer of tau_y/(rho g sin a) can stay at rest; what is clearly deeper rests
+// because the barrier holds it.
+double least_dead_depth(const Scene& scene) {
+  const double drive = scene.material.density * scene.gravity * std::sin(std::abs(scene.slope));
+  const double layer = drive > 0.0 ? scene.material.yield_stress / drive : 0.0;
+  return std::clamp(rest_depth_factor * layer, rest_depth_least, rest_depth_most);
 }
 
 }  // namespace
@@ -74,20 +83,21 @@ double total_kinetic_energy(const Fluid& f) {
 double dead_zone_length(const GaugeScene& g, const Fluid& f) {
   if (g.lines.empty()) return 0.0;
   const double foot = g.lines.front().foot.x;
-  const auto bins = at(static_cast<int>(std::ceil(foot / rest_bin)));
-  std::vector<double> mass(bins, 0.0), at_rest(bins, 0.0);
+  // columns parallel to the stem, so that the first one is as deep as the others
+  const double lean = g.lines.front().downstream.z / g.lines.front().downstream.x;
+  const double bin_length = std::max(rest_bin, 2.0 * g.spacing);
+  const auto bins = at(static_cast<int>(std::ceil(foot / bin_length)));
+  std::vector<double> at_rest(bins, 0.0);
   for (std::size_t i = 0; i < at(f.n); ++i) {
-    if (f.z[i] > rest_layer || f.x[i] >= foot || f.x[i] < 0.0) continue;
-    const std::size_t bin = std::min(bins - 1, at(static_cast<int>((foot - f.x[i]) / rest_bin)));
-    mass[bin] += f.mass[i];
-    if (speed_squared(f, i) < rest_speed * rest_speed) at_rest[bin] += f.mass[i];
+    const double upstream = foot - (f.x[i] + lean * f.z[i]);
+    if (upstream <= 0.0 || speed_squared(f, i) >= rest_speed * rest_speed) continue;
+    at_rest[std::min(bins - 1, at(static_cast<int>(upstream / bin_length)))] += f.mass[i];
   }
-  const double full = g.scene->material.density * rest_bin * rest_layer;
+  const double enough = g.scene->material.density * bin_length * least_dead_depth(*g.scene);
   double length = 0.0;
   for (std::size_t bin = 0; bin < bins; ++bin) {
-    const double share = mass[bin] > 0.25 * full ? at_rest[bin] / mass[bin] : 0.0;
-    if (share < 0.5) return length + share * rest_bin;
-    length += rest_bin;
+    if (at_rest[bin] < enough) return length + bin_length * at_rest[bin] / enough;
+    length += bin_length;
   }
   return length;
 }

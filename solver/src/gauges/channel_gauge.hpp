@@ -16,8 +16,8 @@ double flow_depth(const GaugeScene& g, const Fluid& fluid);
 double window_kinetic_energy(const GaugeScene& g, const Fluid& fluid);
 double total_kinetic_energy(const Fluid& fluid);  // [J/m]
 
-// Length along the bed, from the foot upstream, over which the lowest 20 mm are filled and at rest
-// (slower than 0.1 m/s) without a gap [m].
+// Length along the bed, from the foot upstream, over which without a gap more material is at rest
+// (slower than 0.1 m/s) than the bed alone can hold: deeper than 1.25 tau_y/(rho g sin a) [m].
 double dead_zone_length(const GaugeScene& g, const Fluid& fluid);
 
 }  // namespace parapet::solver

@@ -67,34 +67,67 @@ void front_metrics(Sheet& sheet, const std::vector<double>& time, const std::vec
   if (arrival >= 0.0) sheet.set("arrival_time_s", arrival);
   if (from >= 0.0 && to > from) sheet.set("front_velocity_m_s", base / (to - from));
   for (const char* key : {"arrival_time_s", "front_velocity_m_s"}) {
-    sheet.absent(key, "the front did not come that far");
+    sheet.absent(key, "the front was not seen passing there");
   }
 }
 
+// The largest rise of a series after `from`: where it starts (the dip) and ends (the next peak).
+struct Rise {
+  std::size_t dip, peak;
+  double height;
+};
+
+Rise largest_rise(const std::vector<double>& values, std::size_t from) {
+  Rise best{from, from, 0.0};
+  std::size_t dip = from;
+  for (std::size_t r = from; r < values.size(); ++r) {
+    if (values[r] < values[dip]) dip = r;
+    if (values[r] - values[dip] > best.height) best = {dip, r, values[r] - values[dip]};
+  }
+  return best;
+}
+
+// The paper's three phases: energy accumulates until the flow meets the barrier, falls in the
+// interaction, rises again with the overflow, and ends in a plateau. `met` is the time of the
+// meeting, negative in an open channel.
 void energy_metrics(Sheet& sheet, const std::vector<double>& time,
-                    const std::vector<double>& energy) {
-  if (energy.empty()) return;
-  const auto peak = std::max_element(energy.begin(), energy.end());
-  if (*peak <= 0.0) {
-    for (const char* key : {"kinetic_energy_peak_j_per_m", "kinetic_energy_peak_time_s",
-                            "kinetic_energy_minimum_j_per_m", "kinetic_energy_plateau_time_s"}) {
+                    const std::vector<double>& energy, double met) {
+  constexpr double meeting = 0.1;           // [s] the first peak comes no later than this
+  constexpr double noticeable_rise = 0.02;  // of the largest energy
+  constexpr double plateau_share = 0.05;
+  const double largest = *std::max_element(energy.begin(), energy.end());
+  if (largest <= 0.0) {
+    for (const char* key :
+         {"kinetic_energy_peak_j_per_m", "kinetic_energy_peak_time_s",
+          "kinetic_energy_minimum_j_per_m", "kinetic_energy_overflow_peak_j_per_m",
+          "kinetic_energy_plateau_time_s"}) {
       sheet.absent(key, "nothing moved through the window");
     }
     return;
   }
-  const auto at_peak = static_cast<std::size_t>(peak - energy.begin());
-  sheet.set("kinetic_energy_peak_j_per_m", *peak);
-  sheet.set("kinetic_energy_peak_time_s", time[at_peak]);
+  std::size_t first = 0;
+  for (std::size_t r = 0; r < energy.size() && (met < 0.0 || time[r] <= met + meeting); ++r) {
+    if (energy[r] > energy[first]) first = r;
+  }
+  sheet.set("kinetic_energy_peak_j_per_m", energy[first]);
+  sheet.set("kinetic_energy_peak_time_s", time[first]);
+  const Rise rise = largest_rise(energy, first);
+  if (rise.height > noticeable_rise * largest) {
+    sheet.set("kinetic_energy_minimum_j_per_m", energy[rise.dip]);
+    sheet.set("kinetic_energy_overflow_peak_j_per_m", energy[rise.peak]);
+  } else {
+    for (const char* key :
+         {"kinetic_energy_minimum_j_per_m", "kinetic_energy_overflow_peak_j_per_m"}) {
+      sheet.absent(key, "the energy only falls after its first peak");
+    }
+  }
   std::size_t plateau = energy.size();
-  while (plateau > at_peak && energy[plateau - 1] < 0.05 * *peak) --plateau;
+  while (plateau > first && energy[plateau - 1] < plateau_share * largest) --plateau;
   if (plateau == energy.size()) {
     sheet.absent("kinetic_energy_plateau_time_s", "the window was still moving at the end");
   } else {
     sheet.set("kinetic_energy_plateau_time_s", time[plateau]);
   }
-  sheet.set("kinetic_energy_minimum_j_per_m",
-            *std::min_element(peak, energy.begin() + static_cast<std::ptrdiff_t>(
-                                                         std::min(plateau + 1, energy.size()))));
 }
 
 // Largest rate at which `retained` (a share) falls over at least 20 ms.
@@ -127,7 +160,8 @@ std::vector<Metric> Recorder::metrics() const {
   const int n_barriers = static_cast<int>(g_.lines.size());
   const std::vector<double> time = column("time_s");
   front_metrics(sheet, time, column("front_x_m"), g_.gauge_x, n_barriers == 0);
-  energy_metrics(sheet, time, column("window_kinetic_energy_j_per_m"));
+  energy_metrics(sheet, time, column("window_kinetic_energy_j_per_m"),
+                 arrival_.empty() ? -1.0 : arrival_.front());
   const std::vector<double> depth = column("flow_depth_m");
   if (n_barriers == 0) {
     const auto deepest = std::max_element(depth.begin(), depth.end());

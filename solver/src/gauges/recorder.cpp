@@ -57,7 +57,6 @@ Recorder::Recorder(const Scene& scene, const Flow& flow)
 void Recorder::sample(Flow& flow) {
   const Fluid& f = flow.fluid();
   const double time = flow.time();
-  const double last = series_.rows.empty() ? 0.0 : series_.rows.back().front();
   double potential = 0.0, fastest = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     potential -= f.mass[i] * dot(flow.setup().gravity, {f.x[i], f.z[i]});
@@ -77,7 +76,7 @@ void Recorder::sample(Flow& flow) {
     row.push_back(launch_.landed_share());
     row.push_back(dead_zone_length(g_, f));
   }
-  const auto loads = loads_.read(flow, time - last, time);
+  const auto loads = loads_.read();
   for (std::size_t k = 0; k < g_.lines.size(); ++k) {
     if (arrival_[k] < 0.0 && mass_share_at_line(g_, g_.lines[k], f) >= 0.005) arrival_[k] = time;
     row.push_back(retention_efficiency(g_, g_.lines[k], f));

@@ -18,7 +18,10 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  void after_step(const Flow& flow) { launch_.observe(flow.fluid(), flow.time()); }
+  void after_step(Flow& flow) {
+    launch_.observe(flow.fluid(), flow.time());
+    loads_.observe(flow);
+  }
   void sample(Flow& flow);
   bool settled(const SettledRule& rule) const;
   std::vector<Metric> metrics() const;

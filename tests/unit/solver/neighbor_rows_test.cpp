@@ -64,8 +64,54 @@ TEST(NeighborRows, UniformMotionAloneDoesNotOutdateThem) {
   const WallPoints no_walls;
   NeighborRows rows(none, no_walls, 0.0266, 0.003, 0.0);
   rows.build(fluid, 1);
-  for (double& x : fluid.x) x += 0.5;
+  for (double& x : fluid.x) x += 0.014;  // less than half a cell of 29.6 mm
   EXPECT_FALSE(rows.outdated(fluid));
+}
+
+TEST(NeighborRows, AreOutdatedBeforeSeparateClumpsMeet) {
+  // two rigid clumps, far apart at the build, approach until they would overlap
+  std::vector<InitialParticle> particles = lattice_block(0.0, 0.0, 0.05, 0.05, 0.01, 1000.0);
+  const std::size_t first = particles.size();
+  for (const auto& p : lattice_block(0.15, 0.0, 0.05, 0.05, 0.01, 1000.0)) particles.push_back(p);
+  Fluid fluid;
+  fluid.assign(particles);
+  const Solids none;
+  const WallPoints no_walls;
+  NeighborRows rows(none, no_walls, 0.0266, 0.003, 0.0);
+  rows.build(fluid, 1);
+  double gap = 0.10;
+  while (!rows.outdated(fluid)) {
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      fluid.x[i] += static_cast<std::size_t>(fluid.id[i]) < first ? 0.001 : -0.001;
+    }
+    gap -= 0.002;
+    ASSERT_GT(gap, 0.0266) << "the clumps see each other and the rows do not know";
+  }
+}
+
+TEST(NeighborRows, AreOutdatedBeforeAFallingBlockReachesTheBed) {
+  Scene scene;
+  Numerics numerics;
+  numerics.spacing = 0.01;
+  const FlowSetup setup = channel_setup(scene, numerics, 1);
+  Fluid fluid;
+  fluid.assign(lattice_block(1.0, 0.3, 0.1, 0.1, 0.01, 1000.0));
+  const WallPoints walls = lay_out_walls(setup.solids, 0.01, 0.0266);
+  NeighborRows rows(setup.solids, walls, 0.0266, 0.003, 0.0);
+  rows.build(fluid, 1);
+  double height = 0.305, fallen = 0.0;
+  while (height > 0.02) {
+    for (double& z : fluid.z) z -= 0.001;
+    height -= 0.001;
+    fallen += 0.001;
+    if (rows.outdated(fluid)) {
+      rows.build(fluid, 1);
+      fallen = 0.0;
+    }
+  }
+  bool seen = false;
+  for (int i = 0; i < fluid.n; ++i) seen = seen || rows.touches_wall(i);
+  EXPECT_TRUE(seen);
 }
 
 // Fluid on both sides of a vertical plate in the middle of a tank.
