@@ -7,6 +7,7 @@
 #include <set>
 
 #include "parapet/solver/result.hpp"
+#include "recommendation_caveats.hpp"
 #include "recommendation_parts.hpp"
 #include "study_log.hpp"
 
@@ -202,48 +203,6 @@ Json definitions_json(const StudyLog& log) {
   return json;
 }
 
-Json caveats_json(const StudyLog& log, const LoggedDesign* best) {
-  Json list = Json::array();
-  std::set<double> spacings;
-  for (const LoggedDesign& design : log.designs) {
-    if (design.ok && design.spacing) spacings.insert(*design.spacing);
-  }
-  if (spacings.size() == 1) {
-    list.push_back(fmt::format(
-        "All designs were simulated at one particle spacing, {:g} mm. Results still change with "
-        "refinement, so check the chosen design at a finer spacing before relying on a margin.",
-        1000.0 * *spacings.begin()));
-  } else if (spacings.size() > 1) {
-    list.push_back(fmt::format(
-        "Designs were simulated at {} different particle spacings ({:g} to {:g} mm); comparing "
-        "them mixes the effect of the design with that of the resolution.",
-        spacings.size(), 1000.0 * *spacings.begin(), 1000.0 * *spacings.rbegin()));
-  }
-  list.push_back(
-      "The model is two-dimensional (a slice per metre width): flow around the barrier's "
-      "ends, side walls and uneven beds are not in it.");
-  list.push_back(
-      "The scatter of a result under small changes of the start (numerical noise) has "
-      "not been quantified: differences of a few per cent between designs may be noise.");
-  list.push_back(
-      "One debris material and one release volume were simulated; the ranking of designs "
-      "can change for others.");
-  if (best != nullptr) {
-    for (const Json& variable : variables_json(log, *best)) {
-      if (variable["at_bound"].is_null()) continue;
-      list.push_back(fmt::format(
-          "{} lies at its {} bound: a wider range might give a better design.",
-          variable["name"].get<std::string>(), variable["at_bound"].get<std::string>()));
-    }
-  }
-  if (log.incomplete_last_line) {
-    list.push_back(
-        "The last line of the log is not complete (the study was stopped, or is still "
-        "running); it was left out. Running the study again finishes it.");
-  }
-  return list;
-}
-
 Json reproduce_json(const StudyLog& log, const LoggedDesign& design) {
   const Json values = design_json(log, design)["design"];
   std::string evaluate = fmt::format("parapet evaluate SPEC.json --design '{}'", values.dump());
@@ -297,7 +256,7 @@ Recommendation recommend(const std::filesystem::path& study_dir) {
   json["effects"] = effects_json(log);
   mark_ties(json);
   json["failed"] = failed_json(log);
-  json["caveats"] = caveats_json(log, best);
+  json["caveats"] = caveats_json(log, best, best != nullptr ? variables_json(log, *best) : Json());
   const LoggedDesign* shown = best != nullptr ? best : nearest;
   json["reproduce"] = shown != nullptr ? reproduce_json(log, *shown) : Json(nullptr);
   json["definitions"] = definitions_json(log);

@@ -141,10 +141,8 @@ std::string hand_formula_section(const Json& design) {
       *simulated != 0.0 ? fmt::format(" ({:+.0f} %)", 100.0 * (*formula / *simulated - 1.0)) : "";
   return fmt::format(
       "## Launch length against the hand formula\n\nThe simulation lands the overflow {} m from "
-      "the "
-      "barrier's foot; the ballistic formula that engineers use (a point mass thrown from the "
-      "crest "
-      "with the simulated speed and angle) gives {} m{}.\n\n",
+      "the barrier's foot; the ballistic formula that engineers use (a point mass thrown where the "
+      "overflow crosses the barrier's line, with the simulated speed and angle) gives {} m{}.\n\n",
       number_text(simulated), number_text(formula), share);
 }
 

@@ -15,6 +15,10 @@ using Eigen::VectorXd;
 
 constexpr int spare_points = 3;
 
+// A point that the fit follows this closely was not predicted by the others: the model has no right
+// to a judgement of itself.
+constexpr double most_leverage = 0.95;
+
 /// Two-sided 95 % quantile of Student's t (Cornish-Fisher expansion about the normal one).
 double student_95(double freedom) {
   constexpr double z = 1.959964;
@@ -65,7 +69,8 @@ std::optional<Fit> least_squares(const MatrixXd& a, const VectorXd& y) {
   double left_out = 0.0;  // sum of squares of the errors at points left out of the fit
   for (Index k = 0; k < n; ++k) {
     const double leverage = a.row(k) * inverse * a.row(k).transpose();
-    const double error = residuals(k) / std::max(1e-6, 1.0 - leverage);
+    if (leverage > most_leverage) return std::nullopt;
+    const double error = residuals(k) / (1.0 - leverage);
     left_out += error * error;
   }
   fit.r2_left_out = 1.0 - left_out / variance_sum;

@@ -191,6 +191,7 @@ int StudyLog::barriers() const {
 StudyLog read_study_log(const std::filesystem::path& study_dir) {
   const std::filesystem::path file = study_dir / "study.json";
   StudyLog log;
+  log.path = study_dir;
   log.folder = study_dir.string();
   const std::string wanted = "a study folder, as `parapet optimize` writes it";
   Json state;

@@ -61,8 +61,9 @@ struct LoggedVariable {
 
 struct StudyLog {
   std::string folder;
-  designs::Json spec;        ///< resolved
-  designs::Json provenance;  ///< null when not recorded
+  std::filesystem::path path;  ///< of the study folder
+  designs::Json spec;          ///< resolved
+  designs::Json provenance;    ///< null when not recorded
   std::string spec_hash;
   std::vector<LoggedVariable> variables;
   std::vector<LoggedDesign> designs;
