@@ -2,16 +2,29 @@
 
 #include <atomic>
 #include <csignal>
+#include <ctime>
 
 namespace parapet::cli {
 namespace {
 
-// The one global of the program: a signal handler can reach nothing else.
+// The globals of the program: a signal handler can reach nothing else.
 std::atomic<bool> interrupt_flag = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "only lock-free atomics work in a handler");
+std::atomic<long long> interrupted_at_ms = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<long long>::is_always_lock_free,
+              "only lock-free atomics work in a handler");
 
-extern "C" void on_interrupt(int) {
-  interrupt_flag = true;
+// The first signal asks for an orderly end; another one ends the program at once, unless it follows
+// within a second: tools such as timeout send theirs twice.
+extern "C" void on_interrupt(int number) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const long long ms = 1000LL * now.tv_sec + now.tv_nsec / 1000000;
+  if (!interrupt_flag.exchange(true)) {
+    interrupted_at_ms = ms;
+  } else if (ms - interrupted_at_ms > 1000) {
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+  }
 }
 
 }  // namespace
@@ -19,8 +32,7 @@ extern "C" void on_interrupt(int) {
 void install_interrupt_handler() {
   struct sigaction action {};
   action.sa_handler = on_interrupt;
-  // SA_RESETHAND: the second signal finds the default action, which ends the program.
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

@@ -133,7 +133,7 @@ bool check_deflector(const CaseSpec& spec, std::size_t k, Findings& findings) {
                                solver::deflector_direction(spec.scene, *barrier.deflector);
   if (tip.z < spec.numerics.spacing) {
     findings.add(angle_pointer,
-                 "the deflector hits the bed: its tip is " + rounded(tip.z) + " m above it",
+                 "the deflector's tip is too close to the bed: " + rounded(tip.z) + " m above it",
                  "an angle, length and stem height that keep the tip at least one particle "
                  "spacing, " +
                      rounded(spec.numerics.spacing) + " m, above the bed");

@@ -97,7 +97,7 @@ const WrongInput wrong_cases[] = {
     {"DeflectorHitsTheBed",
      R"([{"op": "replace", "path": "/barriers/0/deflector/length_m", "value": 0.3},
          {"op": "replace", "path": "/barriers/0/deflector/angle_deg", "value": -10}])",
-     "/barriers/0/deflector/angle_deg", "the deflector hits the bed", "0.01 m, above the bed"},
+     "/barriers/0/deflector/angle_deg", "tip is too close to the bed", "0.01 m, above the bed"},
     {"DeflectorFoldsOntoTheStem",
      R"([{"op": "replace", "path": "/barriers/0/deflector/angle_deg", "value": -75}])",
      "/barriers/0/deflector/angle_deg", "folds onto its stem", "from -60 to 90 [deg]"},
