@@ -99,14 +99,12 @@ TEST(NeighborRows, AreOutdatedBeforeAFallingBlockReachesTheBed) {
   const WallPoints walls = lay_out_walls(setup.solids, 0.01, 0.0266);
   NeighborRows rows(setup.solids, walls, 0.0266, 0.003, 0.0);
   rows.build(fluid, 1);
-  double height = 0.305, fallen = 0.0;
+  double height = 0.305;
   while (height > 0.02) {
     for (double& z : fluid.z) z -= 0.001;
     height -= 0.001;
-    fallen += 0.001;
     if (rows.outdated(fluid)) {
       rows.build(fluid, 1);
-      fallen = 0.0;
     }
   }
   bool seen = false;
