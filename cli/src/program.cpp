@@ -21,6 +21,7 @@ constexpr const char* examples = R"(Examples:
   parapet table3                                    the fifteen rows of the source paper
   parapet optimize designs/quickstart.json          search for a better barrier
   parapet recommend runs/quickstart-optimize        what the search found, in words
+  parapet validate                                  the proofs: how far to trust the solver
   parapet VERB --help                               options and examples of a verb
 
 Exit codes: 0 done, 1 a run failed, 2 bad input or arguments, 130 interrupted.
@@ -91,6 +92,7 @@ int run_guarded(Session& session, int argc, char** argv) {
   add_optimize(app, session);
   add_evaluate(app, session);
   add_recommend(app, session);
+  add_validate(app, session);
   add_check(app, session);
   try {
     return parse_and_run(app, session, argc, argv);

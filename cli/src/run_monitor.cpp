@@ -43,6 +43,12 @@ void RunMonitor::ended(const std::string& id, bool skipped) {
   show();
 }
 
+void RunMonitor::share(double done) {
+  const std::scoped_lock lock(mutex_);
+  share_ = done;
+  show();
+}
+
 void RunMonitor::best(std::string text) {
   const std::scoped_lock lock(mutex_);
   best_ = std::move(text);
@@ -67,6 +73,7 @@ void RunMonitor::show() {
 std::string RunMonitor::line() const {
   std::string text;
   if (!noun_.empty()) text = fmt::format("{} of {} {}", ended_ + skipped_, total_, noun_);
+  if (share_) text = fmt::format("{:.0f} % of the work", 100.0 * *share_);
   int shown = 0;
   for (const auto& [id, progress] : running_) {
     if (++shown > 2) {  // more do not fit on a line
@@ -81,6 +88,7 @@ std::string RunMonitor::line() const {
 }
 
 double RunMonitor::share_done() const {
+  if (share_) return std::clamp(*share_, 0.0, 1.0);
   double done = ended_;
   for (const auto& [id, progress] : running_) {
     if (progress.stop_time > 0.0) done += progress.time / progress.stop_time;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "parapet/solver/simulation.hpp"
@@ -28,6 +29,9 @@ class RunMonitor {
   /// A simulation has ended; `skipped` when its answer was there already.
   void ended(const std::string& id, bool skipped);
 
+  /// The share of the whole work that is done, where it is not a number of simulations.
+  void share(double done);
+
   /// The best so far, in words.
   void best(std::string text);
 
@@ -47,6 +51,7 @@ class RunMonitor {
   int ended_ = 0;
   int skipped_ = 0;
   std::string best_;
+  std::optional<double> share_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point shown_ = begin_;
   bool line_open_ = false;

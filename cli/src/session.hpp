@@ -28,6 +28,7 @@ void add_table3(CLI::App& app, Session& session);
 void add_optimize(CLI::App& app, Session& session);
 void add_evaluate(CLI::App& app, Session& session);
 void add_recommend(CLI::App& app, Session& session);
+void add_validate(CLI::App& app, Session& session);
 void add_check(CLI::App& app, Session& session);
 
 }  // namespace parapet::cli

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "common_options.hpp"
+#include "interrupt.hpp"
+#include "parapet/designs/error.hpp"
+#include "parapet/reports/atomic_file.hpp"
+#include "parapet/validation/suite.hpp"
+#include "run_monitor.hpp"
+#include "session.hpp"
+#include "text_format.hpp"
+
+namespace parapet::cli {
+namespace {
+
+struct ValidateOptions : CommonOptions {
+  std::vector<std::string> cases;
+  bool quick = false;
+  bool list = false;
+  bool strict = false;
+  bool page_only = false;
+};
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+void list_cases() {
+  for (const validation::CaseInfo& c : validation::list_cases()) {
+    fmt::print("{:<20} {}\n", c.name, c.title);
+  }
+}
+
+validation::SuiteOutcome run_cases(const Session& session, const ValidateOptions& options,
+                                   const std::filesystem::path& folder) {
+  RunMonitor monitor(session, 1, "");
+  validation::SuiteOptions suite;
+  suite.folder = folder;
+  suite.only = options.cases;
+  suite.full = !options.quick;
+  suite.jobs = options.jobs;
+  suite.cancelled = interrupted;
+  suite.on_progress = [&](double done, double total) { monitor.share(done / total); };
+  suite.on_case = [&](const validation::Scorecard& card, double seconds) {
+    session.log->info("{}: {} limits met, {} missed{}, took {}", card.name,
+                      card.count(validation::Verdict::met), card.count(validation::Verdict::missed),
+                      card.failure.empty() ? "" : ", FAILED", duration_text(seconds));
+  };
+  return validation::run_suite(suite);
+}
+
+void write_page(const std::filesystem::path& folder) {
+  reports::write_file_atomically(folder / "README.md", validation::page_text(folder));
+  fmt::print("page: {}\n", (folder / "README.md").string());
+}
+
+int validate_command(const Session& session, const ValidateOptions& options) {
+  if (options.list) {
+    list_cases();
+    return exit_done;
+  }
+  const std::filesystem::path folder =
+      !options.out.empty() ? options.out
+                           : (options.quick ? "runs/validation-quick" : "docs/validation");
+  if (options.page_only) {
+    write_page(folder);
+    return exit_done;
+  }
+  const validation::SuiteOutcome outcome = run_cases(session, options, folder);
+  fmt::print("{}", validation::scorecard_text(outcome.cards));
+  if (!options.quick) write_page(folder);
+  if (!outcome.unfinished.empty()) {
+    session.log->error("interrupted; go on with: parapet validate {}", joined(outcome.unfinished));
+    return exit_interrupted;
+  }
+  int failed = 0, missed = 0;
+  for (const validation::Scorecard& card : outcome.cards) {
+    failed += card.failure.empty() ? 0 : 1;
+    missed += card.count(validation::Verdict::missed);
+  }
+  return failed > 0 || (options.strict && missed > 0) ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, Session& session) {
+  CLI::App* verb = app.add_subcommand(
+      "validate", "Verify and validate the solver: exact, measured and published answers");
+  auto options = std::make_shared<ValidateOptions>();
+  verb->add_option("CASE", options->cases, "Only these cases (default: all; see --list)");
+  add_out(*verb, *options, "docs/validation; with --quick runs/validation-quick");
+  add_jobs(*verb, *options, "Flows simulated side by side");
+  verb->add_flag("--quick", options->quick, "Coarse versions that take seconds each");
+  verb->add_flag("--list", options->list, "Name the cases and stop");
+  verb->add_flag("--strict", options->strict, "Exit code 1 when a limit is missed");
+  verb->add_flag("--page-only", options->page_only,
+                 "Write the page anew from the scorecards that are there");
+  verb->footer(
+      R"(Prints a scorecard of measured values beside their limits, and writes CASE.json, plots and flow
+pictures of each case and README.md, the page made of them. Cases that have ended are kept when the
+suite is interrupted.
+
+Examples:
+  parapet validate --list
+  parapet validate dam_break --out runs/dam_break
+  parapet validate --quick)");
+  verb->callback([options, &session] {
+    session.command = [options, &session] {
+      try {
+        return validate_command(session, *options);
+      } catch (const std::invalid_argument& error) {
+        session.log->error("{}", error.what());
+        return static_cast<int>(exit_bad_input);
+      }
+    };
+  });
+}
+
+}  // namespace parapet::cli

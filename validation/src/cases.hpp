@@ -1,0 +1,10 @@
+// The cases, one file each; the file tells what is measured and where the answer comes from.
+#pragma once
+
+#include "case.hpp"
+
+namespace parapet::validation {
+
+void plane_flows(CaseRun& run);
+
+}  // namespace parapet::validation
