@@ -36,7 +36,8 @@ Flow::Flow(FlowSetup setup)
   const std::size_t n = walls_.size();
   walls_.x.push_back(1e6);
   walls_.z.push_back(1e6);
-  for (auto* a : {&walls_.volume, &walls_.u, &walls_.w, &walls_.normal_x, &walls_.normal_z}) {
+  for (auto* a : {&walls_.volume, &walls_.u, &walls_.w, &walls_.normal_x, &walls_.normal_z,
+                  &walls_.depth}) {
     a->push_back(0.0);
   }
   for (auto* a : {&wall_pressure_, &wall_fluid_u_, &wall_fluid_w_}) a->assign(n + 1, 0.0);
@@ -79,6 +80,7 @@ FlowArrays Flow::arrays() {
                       walls_.w.data(),
                       walls_.normal_x.data(),
                       walls_.normal_z.data(),
+                      walls_.depth.data(),
                       wall_pressure_.data(),
                       wall_fluid_u_.data(),
                       wall_fluid_w_.data()};

@@ -42,6 +42,7 @@ struct WallView {
   const double* volume;               // [m2]
   const double *u, *w;                // velocity of the wall itself [m/s]
   const double *normal_x, *normal_z;  // of the face, into the fluid
+  const double* depth;                // below the face [m]
   double* pressure;                   // extrapolated from the fluid [Pa]
   double *fluid_u, *fluid_w;          // fluid velocity interpolated at the point [m/s]
 };

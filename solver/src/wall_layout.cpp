@@ -57,6 +57,7 @@ WallPoints lay_out_walls(const Solids& solids, double spacing, double reach) {
         points.w.push_back(face.velocity.z);
         points.normal_x.push_back(face.normal.x);
         points.normal_z.push_back(face.normal.z);
+        points.depth.push_back(depth);
         points.face.push_back(static_cast<int>(f));
       }
     }

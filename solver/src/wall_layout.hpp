@@ -15,6 +15,7 @@ struct WallPoints {
   std::vector<double> volume;                       // [n] (m2)
   std::vector<double> u, w;                         // [n] velocity of the wall (m/s)
   std::vector<double> normal_x, normal_z;           // [n] of the owner, into the fluid
+  std::vector<double> depth;                        // [n] below the owner's surface (m)
   std::vector<int> face;                            // [n] owner
   std::size_t size() const { return face.size(); }  // without the ghost that may follow
 };

@@ -71,14 +71,22 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     out.fluid_bzz[i] = sum_lanes(m.bzz);
     out.density_x[i] = sum_lanes(rho_x);
     out.density_z[i] = sum_lanes(rho_z);
+    const v8d lowest = splat(0.2 * c.smoothing_length);
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
-      // no-slip mirrors the fluid's velocity about the wall's; free slip shows no difference
+      // No-slip: the particle's velocity relative to the wall goes on linearly below the surface
+      // (Morris et al. 1997), so that the strain rate beside the wall is that of the slope between
+      // wall and particle. Free slip shows no difference.
       v8d du = zero, dw = zero;
       if (c.no_slip) {
-        du = splat(2.0) * gather(a.wall.u, k) - gather(a.wall.fluid_u, k) - ui;
-        dw = splat(2.0) * gather(a.wall.w, k) - gather(a.wall.fluid_w, k) - wi;
+        const v8d depth = gather(a.wall.depth, k);
+        const v8d height = g.rx * gather(a.wall.normal_x, k) + g.rz * gather(a.wall.normal_z, k) -
+                           depth;  // of the particle above the surface
+        const v8d above = lowest + positive_part(height - lowest);
+        const v8d ratio = (above + depth) / above;
+        du = (gather(a.wall.u, k) - ui) * ratio;
+        dw = (gather(a.wall.w, k) - wi) * ratio;
       }
       const v8d volume = gather(a.wall.volume, k);
       add(c, m, g, volume, du, dw);
