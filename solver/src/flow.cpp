@@ -36,8 +36,8 @@ Flow::Flow(FlowSetup setup)
   const std::size_t n = walls_.size();
   walls_.x.push_back(1e6);
   walls_.z.push_back(1e6);
-  for (auto* a : {&walls_.volume, &walls_.u, &walls_.w, &walls_.normal_x, &walls_.normal_z,
-                  &walls_.depth}) {
+  for (auto* a :
+       {&walls_.volume, &walls_.u, &walls_.w, &walls_.normal_x, &walls_.normal_z, &walls_.depth}) {
     a->push_back(0.0);
   }
   for (auto* a : {&wall_pressure_, &wall_fluid_u_, &wall_fluid_w_}) a->assign(n + 1, 0.0);

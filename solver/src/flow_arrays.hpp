@@ -55,6 +55,7 @@ struct GradientSums {
   double *density_x, *density_z;              // sum (rho_j - rho_i) grad W V_j, fluid [kg/m4]
   double *ux, *uz, *wx, *wz;                  // sum (u_j - u_i) grad W V_j, both [1/s]
   double *shift_x, *shift_z;                  // sum of Eq. 9 without its factor, both [1/m]
+  double* approach2;                          // sum (u_ij . r_ij)^2 |F| V_j/r^2 [1/s2]
   double *moment_pp, *moment_pq, *moment_qq;  // sum p^2, p q, q^2 |F| V_j/r^2 with p = x^2 - z^2,
                                               // q = 2 x z of r_ij, over what shears the particle
 };

@@ -59,8 +59,8 @@ const PlaneFlow newtonian{"newtonian", "Newtonian Poiseuille", herschel_bulkley(
 const std::vector<PlaneFlow> flows{
     newtonian,
     {"table1", "Poiseuille, Table 1 (90 Pa, N = 0.795)", Material{}, false, 0.6},
-    {"thinning", "Poiseuille, 40 Pa, N = 0.5", herschel_bulkley(40.0, 12.0, 0.5), false, 0.6},
-    {"bingham", "Poiseuille, 120 Pa, N = 1", herschel_bulkley(120.0, 2.5, 1.0), false, 0.6},
+    {"thinning", "Poiseuille, 40 Pa, N = 0.5", herschel_bulkley(40.0, 20.0, 0.5), false, 0.9},
+    {"bingham", "Poiseuille, 120 Pa, N = 1", herschel_bulkley(120.0, 2.5, 1.0), false, 0.9},
     {"couette", "Newtonian Couette", herschel_bulkley(0.0, 5.0, 1.0), true, 0.4},
 };
 

@@ -12,6 +12,7 @@ struct Moments {
   v8d sx, sz;          // Eq. 9
   v8d ux, uz, wx, wz;  // velocity gradient
   v8d pp, pq, qq;      // fourth moments
+  v8d approach2;
 };
 
 // One vector of neighbours: gradient fv * r, velocity difference (du, dw) = u_j - u_i.
@@ -37,13 +38,15 @@ PARAPET_INLINE void add(const FlowConstants& c, Moments& m, const PairGeometry& 
 }
 
 PARAPET_INLINE void add_fourth_moments(const FlowConstants& c, Moments& m, const PairGeometry& g,
-                                       v8d volume) {
+                                       v8d volume, v8d du, v8d dw) {
   const v8d weight = -g.f * volume / safe_r2(c, g.r2);
   const v8d p = g.rx * g.rx - g.rz * g.rz;
   const v8d q = splat(2.0) * g.rx * g.rz;
   m.pp += weight * (p * p);
   m.pq += weight * (p * q);
   m.qq += weight * (q * q);
+  const v8d approach = du * g.rx + dw * g.rz;
+  m.approach2 += weight * (approach * approach);
 }
 
 template <bool periodic>
@@ -52,7 +55,7 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
   const FluidView& f = a.fluid;
   for (int i = begin; i < end; ++i) {
     const v8d zero = splat(0.0);
-    Moments m = {zero, zero, zero, zero, zero, zero, zero,
+    Moments m = {zero, zero, zero, zero, zero, zero, zero, zero,
                  zero, zero, zero, zero, zero, zero, zero};
     v8d rho_x = zero, rho_z = zero;
     const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), rho_i = splat(f.density[i]);
@@ -61,7 +64,7 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
       const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
       const v8d volume = gather(f.volume, j);
       add(c, m, g, volume, gather(f.u, j) - ui, gather(f.w, j) - wi);
-      add_fourth_moments(c, m, g, volume);
+      add_fourth_moments(c, m, g, volume, gather(f.u, j) - ui, gather(f.w, j) - wi);
       const v8d drho = (gather(f.density, j) - rho_i) * (g.f * volume);
       rho_x += drho * g.rx;
       rho_z += drho * g.rz;
@@ -90,7 +93,7 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
       }
       const v8d volume = gather(a.wall.volume, k);
       add(c, m, g, volume, du, dw);
-      if (c.no_slip) add_fourth_moments(c, m, g, volume);
+      if (c.no_slip) add_fourth_moments(c, m, g, volume, du, dw);
     }
     out.bxx[i] = sum_lanes(m.bxx);
     out.bxz[i] = sum_lanes(m.bxz);
@@ -103,6 +106,7 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     out.uz[i] = sum_lanes(m.uz);
     out.wx[i] = sum_lanes(m.wx);
     out.wz[i] = sum_lanes(m.wz);
+    out.approach2[i] = sum_lanes(m.approach2);
     out.moment_pp[i] = sum_lanes(m.pp);
     out.moment_pq[i] = sum_lanes(m.pq);
     out.moment_qq[i] = sum_lanes(m.qq);

@@ -1,5 +1,5 @@
 // Viscous part of Eq. 6 in the form that conserves angular momentum (Monaghan and Gingold 1983):
-// (1/rho_i) sum 8 eta_ij (u_ij . r_ij)/r_ij^2 grad W V_j, eta_ij = 2 eta_i eta_j/(eta_i + eta_j),
+// (1/rho_i) sum 8 eta_ij (u_ij . r_ij)/r_ij^2 grad W V_j, eta_ij = (eta_i + eta_j)/2,
 // where 8 = 2(d + 2) makes the sum approximate div(2 eta S). Walls carry the particle's viscosity.
 #include "pair_geometry.hpp"
 #include "passes.hpp"
@@ -9,9 +9,10 @@ namespace {
 
 constexpr double alpha = 8.0;
 
-PARAPET_INLINE v8d harmonic_mean(v8d eta_i, v8d eta_j) {
-  // 1e-300 keeps 0/0 away for an inviscid pair
-  return splat(2.0) * eta_i * eta_j / (eta_i + eta_j + splat(1e-300));
+// With the strain rate of the pair sum (shifting.cpp) the arithmetic mean makes the forces the
+// derivative of the summed dissipation; the harmonic mean of Eq. 6 belongs to no such sum.
+PARAPET_INLINE v8d mean(v8d eta_i, v8d eta_j) {
+  return splat(0.5) * (eta_i + eta_j);
 }
 
 template <bool periodic>
@@ -25,7 +26,7 @@ void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
       const std::int32_t* j = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
       const v8d approach = (ui - gather(f.u, j)) * g.rx + (wi - gather(f.w, j)) * g.rz;
-      const v8d scale = harmonic_mean(eta_i, gather(f.viscosity, j)) * (g.f * gather(f.volume, j)) *
+      const v8d scale = mean(eta_i, gather(f.viscosity, j)) * (g.f * gather(f.volume, j)) *
                         (approach / safe_r2(c, g.r2));
       sx += scale * g.rx;
       sz += scale * g.rz;
@@ -62,8 +63,8 @@ void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
-      const v8d weight = splat(strength) * harmonic_mean(eta_i, gather(f.viscosity, j)) *
-                         (-g.f * gather(f.volume, j));
+      const v8d weight =
+          splat(strength) * mean(eta_i, gather(f.viscosity, j)) * (-g.f * gather(f.volume, j));
       const v8d b = sqrt_lanes(weight / safe_r2(c, g.r2));
       const v8d bx = b * g.rx, bz = b * g.rz;
       store(v.bx + s, bx);

@@ -2,6 +2,7 @@
 // the instruction sets against each other bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -97,7 +98,7 @@ TEST(Passes, PressureForceIsEquation6WithTensileControl) {
   }
 }
 
-TEST(Passes, ViscousForceHasAlphaEightAndTheHarmonicMean) {
+TEST(Passes, ViscousForceHasAlphaEightAndTheMeanViscosity) {
   const Cloud cloud;
   const Fluid& f = cloud.fluid;
   std::vector<double> ax(static_cast<std::size_t>(f.n), 0.0), az = ax;
@@ -105,8 +106,7 @@ TEST(Passes, ViscousForceHasAlphaEightAndTheHarmonicMean) {
   for (std::size_t i = 0; i < 5; ++i) {
     Vec2 sum;
     cloud.for_neighbors(i, [&](std::size_t j, Vec2 r, double fv) {
-      const double eta = 2.0 * f.pair_viscosity[i] * f.pair_viscosity[j] /
-                         (f.pair_viscosity[i] + f.pair_viscosity[j]);
+      const double eta = 0.5 * (f.pair_viscosity[i] + f.pair_viscosity[j]);
       const Vec2 du{f.u[i] - f.u[j], f.w[i] - f.w[j]};
       sum = sum + 8.0 * eta * dot(du, r) / dot(r, r) * fv * r;
     });
@@ -202,12 +202,47 @@ TEST(Passes, RenormalisedGradientsAreExactForLinearFields) {
   flow.update_pressure();
   flow.update_gradients();
   const Fluid& f = static_cast<const Flow&>(flow).fluid();
-  // 2 S:S = 2 (4 + 4) + (3 + 5)^2 = 80
+  // 2 S:S = 2 (4 + 4) + (3 + 5)^2 = 80; at the surface part of the pairs that shear is missing
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     EXPECT_NEAR(f.density_grad_x[i], 30.0, 1e-9);
     EXPECT_NEAR(f.density_grad_z[i], -20.0, 1e-9);
-    EXPECT_NEAR(f.shear_rate[i], std::sqrt(80.0), 1e-9);
+    const double margin = std::min(std::min(f.x[i], 0.2 - f.x[i]), std::min(f.z[i], 0.2 - f.z[i]));
+    if (margin > 3.0 * dx) {
+      // a jittered neighbourhood's support is up to 10 % short of the full one, and counts as its
+      // root
+      EXPECT_GT(f.shear_rate[i], 0.95 * std::sqrt(80.0));
+    }
+    EXPECT_LT(f.shear_rate[i], std::sqrt(80.0) + 1e-9);
   }
+}
+
+TEST(Passes, ViscousPowerIsTheDissipationOfTheShearRates) {
+  // sum m u . a = -sum V eta g^2 to rounding, whatever the velocities and the viscosities
+  FlowSetup setup;
+  setup.numerics.spacing = dx;
+  setup.particles = lattice_block(0.0, 0.0, 0.1, 0.1, dx, setup.material.density);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> offset(-0.3 * dx, 0.3 * dx), speed(-1.0, 1.0);
+  for (InitialParticle& p : setup.particles) {
+    p.x += offset(random);
+    p.z += offset(random);
+    p.u = speed(random);
+    p.w = speed(random);
+  }
+  Flow flow(std::move(setup));
+  flow.prepare_neighbors();
+  flow.update_pressure();
+  flow.update_gradients();
+  const Fluid& f = static_cast<const Flow&>(flow).fluid();
+  std::vector<double> ax(f.x.size(), 0.0), az = ax;
+  flow.add_viscous_force(ax, az);
+  double power = 0.0, dissipation = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    power += f.mass[i] * (f.u[i] * ax[i] + f.w[i] * az[i]);
+    dissipation += f.volume[i] * f.viscosity[i] * f.shear_rate[i] * f.shear_rate[i];
+  }
+  EXPECT_GT(dissipation, 0.0);
+  EXPECT_NEAR(-power / dissipation, 1.0, 1e-12);
 }
 
 }  // namespace
