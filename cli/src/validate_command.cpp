@@ -25,7 +25,10 @@ struct ValidateOptions : CommonOptions {
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  for (const std::string& name : names) {
+    if (!text.empty()) text += " ";
+    text += name;
+  }
   return text;
 }
 

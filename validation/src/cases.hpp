@@ -6,5 +6,8 @@
 namespace parapet::validation {
 
 void plane_flows(CaseRun& run);
+void grid_convergence(CaseRun& run);
+void noise(CaseRun& run);
+void smoothness(CaseRun& run);
 
 }  // namespace parapet::validation

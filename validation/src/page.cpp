@@ -36,11 +36,11 @@ std::string measures_table(const Scorecard& card) {
   std::string text = "| measured | value | limit | verdict |\n|---|---:|---|---|\n";
   for (const Measure& m : card.measures) {
     std::string limit = limit_text(m);
-    if (!m.reason.empty()) limit += limit.empty() ? m.reason : ": " + m.reason;
+    if (!m.reason.empty()) limit += fmt::format("{}{}", limit.empty() ? "" : ": ", m.reason);
     const Verdict verdict = m.verdict();
     std::string judged = verdict == Verdict::measured ? "" : to_string(verdict);
     if (verdict == Verdict::missed) {
-      judged = m.explanation.empty() ? "**missed**" : "**missed**: " + m.explanation;
+      judged = m.explanation.empty() ? "**missed**" : fmt::format("**missed**: {}", m.explanation);
     }
     text +=
         fmt::format("| {} | {} | {} | {} |\n", m.what, value_text(m.value, m.unit), limit, judged);

@@ -21,7 +21,10 @@ std::vector<const Case*> chosen_cases(const std::vector<std::string>& only) {
   for (const std::string& name : only) {
     if (std::ranges::any_of(all_cases(), [&](const Case& c) { return c.name == name; })) continue;
     std::string names;
-    for (const Case& c : all_cases()) names += (names.empty() ? "" : ", ") + std::string(c.name);
+    for (const Case& c : all_cases()) {
+      if (!names.empty()) names += ", ";
+      names += c.name;
+    }
     throw std::invalid_argument("there is no case \"" + name + "\"; allowed: " + names);
   }
   return cases;

@@ -1,0 +1,42 @@
+// Flows against barriers of the source paper's kind, for the studies of uncertainty.
+#pragma once
+
+#include <string>
+
+#include "case.hpp"
+#include "parapet/solver/simulation.hpp"
+
+namespace parapet::validation {
+
+// A single barrier in the paper's channel (Huang et al. 2024, Table 3).
+struct SingleBarrier {
+  const char* key;
+  const char* name;
+  double height;     // [m]
+  double angle_deg;  // of the deflector above the horizontal; bare: none
+};
+constexpr double bare = -1e9;  // instead of a deflector's angle
+
+solver::Scene scene_of(const SingleBarrier& barrier);
+
+// Simulates to the settled end. Throws std::runtime_error with the reason when the run fails.
+solver::Result simulated(const solver::Scene& scene, const solver::Numerics& numerics,
+                         const CaseRun& run);
+
+// A metric's value; not a number where the result has none.
+double metric(const solver::Result& result, const std::string& key);
+
+// What designs are judged by.
+struct JudgedMetric {
+  const char* key;   // in results
+  const char* name;  // in words
+  const char* unit;
+  double scale;  // from SI to the unit
+};
+inline constexpr JudgedMetric judged_metrics[] = {
+    {"retention_efficiency", "retention", "", 1.0},
+    {"launch_length_m", "launch length", "mm", 1e3},
+    {"barrier_1_peak_force_n_per_m", "peak force", "N/m", 1.0},
+};
+
+}  // namespace parapet::validation

@@ -1,0 +1,125 @@
+// Retention and launch length over closely spaced designs: they must change smoothly, up to the
+// scatter that any two runs have.
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "barrier_runs.hpp"
+#include "cases.hpp"
+#include "parapet/reports/line_plot.hpp"
+
+namespace parapet::validation {
+namespace {
+
+struct Sweep {
+  const char* key;
+  const char* name;
+  const char* x_label;
+  std::vector<SingleBarrier> designs;
+  std::vector<double> x;
+  std::vector<solver::Result> results;
+};
+
+// Residuals of a cubic fit, and their standard deviation.
+struct Residuals {
+  std::vector<double> fit;
+  double deviation = 0.0, largest = 0.0, largest_step = 0.0;
+};
+
+Residuals cubic_residuals(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<Eigen::Index>(x.size());
+  const double x0 = x.front(), span = x.back() - x.front();
+  Eigen::MatrixXd a(n, 4);
+  Eigen::VectorXd b(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double s = 2.0 * (x[static_cast<std::size_t>(k)] - x0) / span - 1.0;
+    a.row(k) << 1.0, s, s * s, s * s * s;
+    b(k) = y[static_cast<std::size_t>(k)];
+  }
+  const Eigen::VectorXd fit = a * a.colPivHouseholderQr().solve(b);
+  const Eigen::VectorXd off = b - fit;
+  Residuals r;
+  r.fit.assign(fit.data(), fit.data() + n);
+  r.deviation = std::sqrt(off.squaredNorm() / static_cast<double>(n - 4));
+  r.largest = off.cwiseAbs().maxCoeff();
+  for (Eigen::Index k = 1; k < n; ++k) {
+    r.largest_step = std::max(r.largest_step, std::abs(off(k) - off(k - 1)));
+  }
+  return r;
+}
+
+void judge(CaseRun& run, const Sweep& sweep, const JudgedMetric& judged) {
+  std::vector<double> x, y;
+  for (std::size_t k = 0; k < sweep.x.size(); ++k) {
+    const double value = judged.scale * metric(sweep.results[k], judged.key);
+    if (!std::isfinite(value)) continue;  // nothing overflows
+    x.push_back(sweep.x[k]);
+    y.push_back(value);
+  }
+  const Residuals r = cubic_residuals(x, y);
+  const std::string key = fmt::format("{}_{}", sweep.key, judged.key);
+  const std::string of = fmt::format("{}: {}", sweep.name, judged.name);
+  run.add({.key = key + "_scatter",
+           .what = of + ", standard deviation about a cubic",
+           .value = r.deviation,
+           .unit = judged.unit});
+  run.add(
+      {.key = key + "_step",
+       .what = of + ", largest step between neighbours beyond the cubic, in standard deviations",
+       .value = r.largest_step / r.deviation,
+       .upper = 5.0,
+       .reason = "the largest of some 50 differences of independent normal scatter stays below "
+                 "5 in 98 of 100 sweeps"});
+  reports::LinePlot plot;
+  plot.title = of;
+  plot.x_label = sweep.x_label;
+  plot.y_label = fmt::format("{} [{}]", judged.name, *judged.unit ? judged.unit : "-");
+  reports::PlotBand band{"two standard deviations about the cubic", x, {}, {}, 1};
+  for (const double fit : r.fit) {
+    band.lower.push_back(fit - 2.0 * r.deviation);
+    band.upper.push_back(fit + 2.0 * r.deviation);
+  }
+  plot.bands = {band};
+  plot.series = {{"simulated", x, y, reports::SeriesStyle::line_and_markers, 0}};
+  plot.width_px = 800;
+  plot.height_px = 480;
+  draw_line_plot(run.figure(key + ".png"), plot);
+}
+
+}  // namespace
+
+void smoothness(CaseRun& run) {
+  const int n_angles = run.full() ? 61 : 13, n_heights = run.full() ? 41 : 9;
+  Sweep angles{"angle", "deflector angle", "deflector angle [deg]", {}, {}, {}};
+  Sweep heights{"height", "height of a bare barrier", "height [mm]", {}, {}, {}};
+  for (int k = 0; k < n_angles; ++k) {
+    angles.x.push_back(60.0 * k / (n_angles - 1));
+    angles.designs.push_back({"", "", 0.1, angles.x.back()});
+  }
+  for (int k = 0; k < n_heights; ++k) {
+    heights.x.push_back(60.0 + 80.0 * k / (n_heights - 1));
+    heights.designs.push_back({"", "", 1e-3 * heights.x.back(), bare});
+  }
+  std::vector<std::pair<Sweep*, std::size_t>> tasks;
+  for (Sweep* sweep : {&angles, &heights}) {
+    sweep->results.resize(sweep->x.size());
+    for (std::size_t k = 0; k < sweep->x.size(); ++k) tasks.emplace_back(sweep, k);
+  }
+  solver::Numerics numerics;
+  numerics.spacing = run.full() ? 0.01 : 0.025;
+  run.side_by_side(
+      tasks.size(),
+      [&](std::size_t t) {
+        const auto [sweep, k] = tasks[t];
+        sweep->results[k] = simulated(scene_of(sweep->designs[k]), numerics, run);
+      },
+      std::vector<double>(tasks.size(), run.full() ? 3.0 : 0.2));
+  for (const Sweep* sweep : {&angles, &heights}) {
+    for (const JudgedMetric& judged : judged_metrics) judge(run, *sweep, judged);
+  }
+}
+
+}  // namespace parapet::validation
