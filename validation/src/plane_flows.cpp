@@ -119,7 +119,7 @@ void draw(CaseRun& run, const PlaneFlow& plane, const Profile& finest, int acros
   plot.series = {particles, exact};
   plot.width_px = 800;
   plot.height_px = 480;
-  draw_line_plot(run.figure(std::string(plane.key) + ".png"), plot);
+  draw_line_plot(run.figure(fmt::format("{}.png", plane.key)), plot);
 }
 
 }  // namespace
@@ -152,12 +152,12 @@ void plane_flows(CaseRun& run) {
         m.upper = 1.0;
         m.reason = "what a profile of 40 particles can be asked for";
         if (m.value > 1.0)
-          m.explanation = "the sheared layer beside the plug is 16 particles thick";
+          m.explanation = std::string("the sheared layer beside the plug is 16 particles thick");
       }
       run.add(m);
     }
-    run.add({.key = std::string(flows[flow].key) + "_order",
-             .what = std::string(flows[flow].name) + ": order of convergence",
+    run.add({.key = fmt::format("{}_order", flows[flow].key),
+             .what = fmt::format("{}: order of convergence", flows[flow].name),
              .value = fitted_order(spacings, errors),
              .lower = 1.5,
              .reason = "between the kernel's order 2 and a wall's order 1",
