@@ -147,7 +147,7 @@ void plane_flows(CaseRun& run) {
       m.key = fmt::format("{}_{}", flows[flow].key, across[level]);
       m.what = fmt::format("{}: L2 error, {} particles across", flows[flow].name, across[level]);
       m.value = 100.0 * errors.back();
-      m.unit = "%";
+      m.unit = fmt::format("%");
       if (across[level] == 40) {
         m.upper = 1.0;
         m.reason = "what a profile of 40 particles can be asked for";
