@@ -8,6 +8,15 @@
 #include "wall_contact.hpp"
 
 namespace parapet::solver {
+namespace {
+
+// Where the moments of a solid are taken about: its foot, or the start of an unbounded wall.
+Vec2 moment_center(const Solids& solids, const Face& face) {
+  const std::vector<Vec2>& outline = solids.bodies[at(face.body)].outline;
+  return outline.empty() ? face.a : outline.front();
+}
+
+}  // namespace
 
 void Flow::measure_barrier_load(double dt) {
   if (impulses_.empty()) return;
@@ -26,8 +35,7 @@ void Flow::measure_barrier_load(double dt) {
     if (face.barrier < 0) continue;
     BarrierImpulse& impulse = impulses_[at(face.barrier)];
     const Vec2 force{load_x_[at(s)], load_z_[at(s)]};
-    const Vec2 foot = setup_.solids.bodies[at(face.body)].outline.front();
-    const Vec2 arm = Vec2{walls_.x[k], walls_.z[k]} - foot;
+    const Vec2 arm = Vec2{walls_.x[k], walls_.z[k]} - moment_center(setup_.solids, face);
     impulse.force = impulse.force + dt * force;
     impulse.moment -= dt * cross(arm, force);  // clockwise is downstream
   }
@@ -54,8 +62,7 @@ void Flow::stop_at_walls() {
     if (barrier >= 0) {
       const Vec2 lost = Vec2{fluid_.u[k], fluid_.w[k]} - motion.velocity;
       BarrierImpulse& impulse = impulses_[at(barrier)];
-      const Vec2 foot =
-          setup_.solids.bodies[at(setup_.solids.faces[at(face)].body)].outline.front();
+      const Vec2 foot = moment_center(setup_.solids, setup_.solids.faces[at(face)]);
       impulse.force = impulse.force + fluid_.mass[k] * lost;
       impulse.moment -= fluid_.mass[k] * cross(motion.after - foot, lost);
     }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "balance.hpp"
+
 namespace parapet::validation {
 
 using solver::Flow;
@@ -28,23 +30,24 @@ void add_periodic_wall(FlowSetup& setup, double length, double z, bool upwards, 
   face.velocity = velocity;
 }
 
-void advance(Flow& flow, double time, const CaseRun& run) {
+void advance(Flow& flow, double time, const CaseRun& run, Balance* balance) {
   constexpr double close = 1e-12;  // [s]
   while (time - flow.time() > close) {
     run.check_cancelled();
     if (const auto failure = flow.step(time - flow.time())) {
       throw std::runtime_error(failure->reason + " at t = " + std::to_string(flow.time()) + " s");
     }
+    if (balance) balance->add_step(flow);
   }
 }
 
 void advance_sampled(Flow& flow, double end, double interval, const CaseRun& run,
-                     const std::function<void(Flow&)>& sample) {
+                     const std::function<void(Flow&)>& sample, Balance* balance) {
   flow.refresh();
   sample(flow);
   const auto count = static_cast<long>(std::ceil(end / interval - 1e-9));
   for (long k = 1; k <= count; ++k) {
-    advance(flow, std::min(end, static_cast<double>(k) * interval), run);
+    advance(flow, std::min(end, static_cast<double>(k) * interval), run, balance);
     flow.refresh();
     sample(flow);
   }

@@ -19,12 +19,15 @@ void add_wall(solver::FlowSetup& setup, solver::Vec2 a, solver::Vec2 b);
 void add_periodic_wall(solver::FlowSetup& setup, double length, double z, bool upwards,
                        solver::Vec2 velocity = {});
 
+class Balance;
+
 // Steps until `time` [s]. Throws std::runtime_error with the reason when the flow fails.
-void advance(solver::Flow& flow, double time, const CaseRun& run);
+// balance: is told of every step.
+void advance(solver::Flow& flow, double time, const CaseRun& run, Balance* balance = nullptr);
 
 // Steps until `end` and calls `sample` at the start and at every multiple of `interval` [s].
 void advance_sampled(solver::Flow& flow, double end, double interval, const CaseRun& run,
-                     const std::function<void(solver::Flow&)>& sample);
+                     const std::function<void(solver::Flow&)>& sample, Balance* balance = nullptr);
 
 // Sums over the fluid, per metre width.
 struct Totals {
