@@ -16,6 +16,10 @@ namespace {
 // |rho/rho_0 - 1| beyond this is no longer this fluid. A jet that closes a corner is compressed by
 // a quarter for a millisecond (impact speed over sound speed, reflected from both walls).
 constexpr double density_limit = 0.5;
+
+// Spray is not stretched below this share of rho_0. Closer to 1 than the compression of material at
+// rest it would swell with every bounce.
+constexpr double thinnest_spray = 0.999;
 constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
 constexpr double shortest_step = 1e-10;  // [s]
 
@@ -97,7 +101,12 @@ void Flow::update_pressure() {
   const double c2 = setup_.numerics.sound_speed * setup_.numerics.sound_speed;
   const double rho_0 = setup_.material.density;
   for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    if (is_alone(fluid_.closeness[i])) fluid_.density[i] = rho_0;
     fluid_.pressure[i] = c2 * (fluid_.density[i] - rho_0);
+    if (is_spray(fluid_.lambda[i]) && fluid_.pressure[i] < 0.0) {
+      fluid_.pressure[i] = 0.0;
+      fluid_.density[i] = std::max(fluid_.density[i], thinnest_spray * rho_0);
+    }
     fluid_.volume[i] = fluid_.mass[i] / fluid_.density[i];
   }
 }

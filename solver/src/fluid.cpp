@@ -27,6 +27,7 @@ void Fluid::assign(std::span<const InitialParticle> particles) {
                       &du,
                       &dw,
                       &lambda,
+                      &closeness,
                       &tic,
                       &shift_u,
                       &shift_w,
@@ -35,6 +36,8 @@ void Fluid::assign(std::span<const InitialParticle> particles) {
     array->assign(size, 0.0);
   }
   for (auto& sum : sums) sum.assign(size, 0.0);
+  lambda.assign(size, 1.0);  // until the first step has looked at the neighbours
+  closeness.assign(size, 2.0);
   id.assign(size, 0);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const InitialParticle& p = particles[i];
@@ -66,6 +69,7 @@ void Fluid::set_ghost() {
                       &du,
                       &dw,
                       &lambda,
+                      &closeness,
                       &tic,
                       &shift_u,
                       &shift_w,
@@ -82,7 +86,7 @@ void Fluid::set_ghost() {
 void Fluid::permute(std::span<const std::int32_t> order) {
   const std::size_t count = order.size();
   scratch_.resize(count + 1);
-  for (auto* array : {&x, &z, &u, &w, &density, &mass, &du, &dw}) {
+  for (auto* array : {&x, &z, &u, &w, &density, &mass, &du, &dw, &lambda, &closeness}) {
     for (std::size_t k = 0; k < count; ++k) {
       scratch_[k] = (*array)[static_cast<std::size_t>(order[k])];
     }
@@ -116,6 +120,7 @@ void Fluid::remove(std::span<const std::int32_t> indices) {
                         &du,
                         &dw,
                         &lambda,
+                        &closeness,
                         &tic,
                         &shift_u,
                         &shift_w,

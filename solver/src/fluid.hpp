@@ -25,7 +25,7 @@ struct Fluid {
   std::vector<double> viscosity, shear_rate;           // rheology (Eq. 13-15)
   std::vector<double> quadrature;                      // correction of the viscous sum
   std::vector<double> pair_viscosity;                  // viscosity x quadrature
-  std::vector<double> lambda, tic;                     // surface indicator, Eq. 10; control
+  std::vector<double> lambda, closeness, tic;          // eigenvalue (Eq. 10), trace; control
   std::vector<double> shift_u, shift_w;                // Eq. 9-11
   std::vector<double> density_grad_x, density_grad_z;  // Eq. 8
   std::vector<double> sums[20];                        // of the gradient pass

@@ -53,14 +53,15 @@ constexpr std::array overflow_entries{
     Entry{"impact_time_s", "time at which 0.5 % of the released mass has landed", true},
     Entry{"landing_speed_m_s", "mean speed of that mass when 20 mm above the bed", true},
     Entry{"launch_angle_deg",
-          "direction of the momentum of the mass that crosses the first barrier's line until the "
-          "impact, against the world's horizontal",
+          "direction of the momentum of that mass when it passed the first barrier's last edge (a "
+          "deflector's tip, or the crest), against the world's horizontal",
           true},
-    Entry{"launch_speed_m_s", "speed of the mean momentum of that mass at the crossing", true},
-    Entry{"ballistic_launch_length_m",
-          "hand formula (Ng et al. 2023) for a launch from the crossing's mean height, speed and "
-          "angle, a cross-check of launch_length_m",
-          true},
+    Entry{"launch_speed_m_s", "speed of that mean momentum", true},
+    Entry{
+        "ballistic_launch_length_m",
+        "hand formula (Ng et al. 2023) for a launch with that speed and angle from the mean place "
+        "of the passage, a cross-check of launch_length_m",
+        true},
     Entry{
         "dead_zone_length_m",
         "length along the bed, from the first barrier's foot upstream, over which more material is "
@@ -81,10 +82,11 @@ constexpr std::array barrier_entries{
           false},
     Entry{"arrival_time_s", "time at which 0.5 % of the released mass is within 20 mm of its line",
           true},
-    Entry{"peak_force_n_per_m", "largest force on the barrier, 5 ms mean", false},
+    Entry{"peak_force_n_per_m", "largest force on the barrier, running mean over 5 ms", false},
     Entry{"peak_force_time_s", "time of that force", true},
     Entry{"peak_moment_nm_per_m",
-          "largest overturning moment about the foot (positive downstream), 5 ms mean", false},
+          "largest overturning moment about the foot (positive downstream), running mean over 5 ms",
+          false},
     Entry{"run_up_height_m",
           "largest height above the bed of material within 40 mm upstream of the line, above which "
           "0.1 % of the released mass lies",

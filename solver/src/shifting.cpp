@@ -9,7 +9,6 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double lambda_detached = 0.55;  // Eq. 10: below it a particle is spray
 constexpr double lambda_interior = 0.90;  // Eq. 10: above it the surface is out of reach
 
 // Below this the tensor says too little about the neighbourhood to be inverted: a lone pair or a
@@ -29,7 +28,7 @@ struct Symmetric {
 };
 
 Vec2 shifting_velocity(Vec2 sum, Vec2 normal_sum, double lambda, const ShiftingSettings& s) {
-  if (lambda < lambda_detached || s.factor == 0.0) return {};
+  if (is_spray(lambda) || s.factor == 0.0) return {};
   Vec2 shift = (-2.0 * s.smoothing_length * s.max_speed * s.factor) * sum;  // Eq. 9
   const double size = norm(shift), cap = 0.5 * s.max_speed;
   if (size > cap && size > 0.0) shift = (cap / size) * shift;  // Eq. 11
@@ -52,6 +51,7 @@ void finish_gradients(Fluid& f, const ShiftingSettings& settings, int begin, int
     const Symmetric fluid{s.fluid_bxx[i], s.fluid_bxz[i], s.fluid_bzz[i]};
     const double lambda = all.smallest_eigenvalue();
     f.lambda[k] = lambda;
+    f.closeness[k] = s.bxx[i] + s.bzz[i];
     const Vec2 shift = shifting_velocity({s.shift_x[i], s.shift_z[i]},
                                          {s.normal_x[i], s.normal_z[i]}, lambda, settings);
     f.shift_u[k] = shift.x;

@@ -7,6 +7,17 @@
 
 namespace parapet::solver {
 
+// Eq. 10: with a smallest eigenvalue below this a particle has come off the fluid.
+constexpr bool is_spray(double lambda) {
+  return lambda < 0.55;
+}
+
+// Trace of that tensor: 2 in the fluid, 0.2 for a lone pair at the particle spacing. Below this no
+// neighbour is near enough to change the density.
+constexpr bool is_alone(double closeness) {
+  return closeness < 0.01;
+}
+
 struct ShiftingSettings {
   double smoothing_length;  // [m]
   double max_speed;         // u_max of Eq. 9 [m/s]
@@ -14,7 +25,7 @@ struct ShiftingSettings {
   bool no_slip;
 };
 
-// Fills lambda, tic, shift_u/w, density_grad and shear_rate of particles [begin, end).
+// Fills lambda, closeness, tic, shift_u/w, density_grad and shear_rate of particles [begin, end).
 void finish_gradients(Fluid& fluid, const ShiftingSettings& settings, int begin, int end);
 
 }  // namespace parapet::solver

@@ -1,6 +1,7 @@
 #include "barrier_load.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace parapet::solver {
 namespace {
@@ -20,28 +21,35 @@ void add(BarrierImpulse& sum, const BarrierImpulse& impulse) {
 }  // namespace
 
 void LoadGauge::observe(Flow& flow) {
-  const auto impulses = flow.take_impulses();
-  for (std::size_t k = 0; k < impulses.size(); ++k) {
-    add(window_[k], impulses[k]);
-    add(interval_[k], impulses[k]);
-  }
-  window_time_ += flow.last_time_step();
+  std::vector<BarrierImpulse> impulses = flow.take_impulses();
+  for (std::size_t k = 0; k < impulses.size(); ++k) add(interval_[k], impulses[k]);
   interval_time_ += flow.last_time_step();
-  if (window_time_ >= peak_window * (1.0 - 1e-9)) close_window(flow.time());
+  window_time_ += flow.last_time_step();
+  window_.push_back({flow.last_time_step(), std::move(impulses)});
+  constexpr double enough = peak_window * (1.0 - 1e-9);
+  while (window_time_ - window_.front().time >= enough) {
+    window_time_ -= window_.front().time;
+    window_.pop_front();
+  }
+  if (window_time_ >= enough) update_peaks(flow.time());
 }
 
-void LoadGauge::close_window(double time) {
-  for (std::size_t k = 0; k < window_.size(); ++k) {
-    const BarrierLoad load = mean(window_[k], window_time_);
+void LoadGauge::update_peaks(double time) {
+  for (std::size_t k = 0; k < peaks_.size(); ++k) {
+    BarrierImpulse sum;
+    double covered = 0.0;  // added anew each time: a running sum would drift
+    for (const Step& step : window_) {
+      add(sum, step.impulses[k]);
+      covered += step.time;
+    }
+    const BarrierLoad load = mean(sum, covered);
     PeakLoad& peak = peaks_[k];
     if (norm(load.force) > peak.force) {
       peak.force = norm(load.force);
       peak.force_time = time;
     }
     peak.moment = std::max(peak.moment, load.moment);
-    window_[k] = {};
   }
-  window_time_ = 0.0;
 }
 
 std::vector<BarrierLoad> LoadGauge::read() {

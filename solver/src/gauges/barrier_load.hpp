@@ -1,6 +1,7 @@
 // Force and overturning moment on the barriers.
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "../flow.hpp"
@@ -20,11 +21,10 @@ struct PeakLoad {
   double moment = 0.0;       // [N m/m]
 };
 
-// Peaks are those of 5 ms means, whatever the interval of the series.
+// Peaks are those of the running mean over 5 ms, whatever the interval of the series.
 class LoadGauge {
  public:
-  explicit LoadGauge(std::size_t n_barriers)
-      : window_(n_barriers), interval_(n_barriers), peaks_(n_barriers) {}
+  explicit LoadGauge(std::size_t n_barriers) : interval_(n_barriers), peaks_(n_barriers) {}
   // After every time step.
   void observe(Flow& flow);
   // Mean loads since the last reading.
@@ -32,10 +32,16 @@ class LoadGauge {
   const std::vector<PeakLoad>& peaks() const { return peaks_; }
 
  private:
-  void close_window(double time);
+  struct Step {
+    double time;                           // its length [s]
+    std::vector<BarrierImpulse> impulses;  // [n_barriers]
+  };
+  void update_peaks(double time);
 
-  std::vector<BarrierImpulse> window_, interval_;
-  double window_time_ = 0.0, interval_time_ = 0.0;  // [s]
+  std::deque<Step> window_;  // the latest steps, just enough to fill 5 ms
+  double window_time_ = 0.0;
+  std::vector<BarrierImpulse> interval_;
+  double interval_time_ = 0.0;  // [s]
   std::vector<PeakLoad> peaks_;
 };
 

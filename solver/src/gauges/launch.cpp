@@ -19,42 +19,53 @@ LaunchGauge::LaunchGauge(const GaugeScene& g)
 void LaunchGauge::observe(const Fluid& f, double time) {
   if (g_.lines.empty()) return;
   const BarrierLine& line = g_.lines.front();
-  const std::size_t released = crossed_.size();
-  if (released == 0) {
-    crossed_.assign(static_cast<std::size_t>(f.n), 0);
-    landed_ = crossed_;
-    approach_speed_.assign(static_cast<std::size_t>(f.n), -1.0);
+  const Vec2 up{-g_.edge.downstream.z, g_.edge.downstream.x};
+  if (passed_.empty()) {
+    passed_.assign(static_cast<std::size_t>(f.n), 0);
+    landed_ = passed_;
+    passages_.resize(passed_.size());
+    approach_speed_.assign(passed_.size(), -1.0);
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-    if (line.offset({f.x[i], f.z[i]}) < 0.0) continue;
+    const Vec2 p{f.x[i], f.z[i]};
+    if (g_.edge.offset(p) < 0.0) continue;
     const auto id = static_cast<std::size_t>(f.id[i]);
-    if (landed_[id]) continue;
-    if (!crossed_[id]) {
-      crossed_[id] = 1;
-      crossings_.push_back({time, f.mass[i], f.x[i], f.z[i], f.u[i], f.w[i]});
+    if (!passed_[id] && dot(p - g_.edge.foot, up) > 0.0) {
+      passed_[id] = 1;
+      passages_[id] = {f.x[i], f.z[i], f.u[i], f.w[i]};
     }
+    if (landed_[id] || line.offset(p) < 0.0) continue;
     if (approach_speed_[id] < 0.0 && f.z[i] < std::max(approach_height, 2.0 * g_.spacing)) {
       approach_speed_[id] = std::hypot(f.u[i], f.w[i]);
     }
     if (f.z[i] < landing_height_) {
       landed_[id] = 1;
-      landings_.push_back({time, f.mass[i], f.x[i], approach_speed_[id]});
+      landings_.push_back({time, f.mass[i], f.x[i], approach_speed_[id], f.id[i]});
       landed_mass_ += f.mass[i];
     }
   }
 }
 
-std::optional<LaunchGauge::Impact> LaunchGauge::impact() const {
-  if (landed_mass_ < impact_share * g_.released_mass) return std::nullopt;
-  Impact impact{0.0, 0.0, 0.0};
+std::vector<LaunchGauge::Landing> LaunchGauge::first_landings() const {
   std::vector<Landing> first;
-  double mass = 0.0, momentum = 0.0;
-  bool reached = false;
+  double mass = 0.0;
   for (const Landing& landing : landings_) {
     if (mass >= place_share * g_.released_mass) break;
     mass += landing.mass;
-    momentum += landing.mass * landing.speed;
     first.push_back(landing);
+  }
+  return first;
+}
+
+std::optional<LaunchGauge::Impact> LaunchGauge::impact() const {
+  if (landed_mass_ < impact_share * g_.released_mass) return std::nullopt;
+  Impact impact{0.0, 0.0, 0.0};
+  std::vector<Landing> first = first_landings();
+  double mass = 0.0, momentum = 0.0;
+  bool reached = false;
+  for (const Landing& landing : first) {
+    mass += landing.mass;
+    momentum += landing.mass * landing.speed;
     if (!reached && mass >= impact_share * g_.released_mass) {
       reached = true;
       impact.time = landing.time;
@@ -73,17 +84,19 @@ std::optional<LaunchGauge::Impact> LaunchGauge::impact() const {
 }
 
 std::optional<LaunchGauge::Launch> LaunchGauge::launch() const {
-  const auto landing = impact();
+  if (landed_mass_ < impact_share * g_.released_mass) return std::nullopt;
   double mass = 0.0, height = 0.0, place = 0.0;
   Vec2 momentum;
-  for (const Crossing& c : crossings_) {
-    if (landing && c.time > landing->time) break;
-    mass += c.mass;
-    height += c.mass * c.z;
-    place += c.mass * c.x;
-    momentum = momentum + c.mass * Vec2{c.u, c.w};
+  for (const Landing& landing : first_landings()) {
+    const auto id = static_cast<std::size_t>(landing.id);
+    if (!passed_[id]) continue;
+    const Passage& p = passages_[id];
+    mass += landing.mass;
+    height += landing.mass * p.z;
+    place += landing.mass * p.x;
+    momentum = momentum + landing.mass * Vec2{p.u, p.w};
   }
-  if (mass < impact_share * g_.released_mass) return std::nullopt;
+  if (!(mass > 0.0)) return std::nullopt;
   // the world's horizontal, downstream, in channel axes
   const double a = g_.scene->slope;
   const double across = momentum.x * std::cos(a) + momentum.z * std::sin(a);

@@ -1,6 +1,7 @@
-// Overflow of the first barrier: who crosses its line, how fast and whereto, and where it lands.
+// Overflow of the first barrier: who passes its edge, how fast and whereto, and where it lands.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -10,7 +11,8 @@
 namespace parapet::solver {
 
 // All of it is judged by mass: the impact is when 0.5 % of the released mass has landed and its
-// place the median of the first 1 %, so that single droplets decide nothing.
+// place the median of the first 1 %, so that single droplets decide nothing. The launch is what
+// that same mass did when it passed the edge.
 class LaunchGauge {
  public:
   struct Impact {
@@ -21,31 +23,34 @@ class LaunchGauge {
   struct Launch {
     double speed;   // of the mean momentum [m/s]
     double angle;   // against the world's horizontal, positive upwards [rad]
-    double height;  // mean height above the bed at the crossing [m]
-    double x;       // mean place of the crossing [m]
+    double height;  // mean height above the bed when passing the edge [m]
+    double x;       // mean place of that [m]
   };
 
   explicit LaunchGauge(const GaugeScene& g);
   // After every time step.
   void observe(const Fluid& fluid, double time);
-  // Nothing when too little has landed (crossed).
+  // Nothing when too little has landed.
   std::optional<Impact> impact() const;
   std::optional<Launch> launch() const;
   double landed_share() const { return landed_mass_ / g_.released_mass; }
 
  private:
-  struct Crossing {
-    double time, mass, x, z, u, w;
+  struct Passage {
+    double x, z, u, w;
   };
   struct Landing {
     double time, mass, x, speed;
+    std::int32_t id;
   };
+
+  std::vector<Landing> first_landings() const;
 
   const GaugeScene& g_;
   double landing_height_;
-  std::vector<char> crossed_, landed_;  // [n_released]
+  std::vector<char> passed_, landed_;   // [n_released]
+  std::vector<Passage> passages_;       // [n_released], where passed
   std::vector<double> approach_speed_;  // [n_released], negative until 20 mm above the bed
-  std::vector<Crossing> crossings_;
   std::vector<Landing> landings_;
   double landed_mass_ = 0.0;
 };

@@ -206,7 +206,7 @@ std::vector<Metric> Recorder::metrics() const {
               launch->x - scene_.barriers.front().foot_x + ballistic_distance(scene_, *launch));
   } else {
     for (const char* key : {"launch_angle_deg", "launch_speed_m_s", "ballistic_launch_length_m"}) {
-      sheet.absent(key, "less than 0.5 % of the released mass crossed the first barrier's line");
+      sheet.absent(key, "less than 0.5 % of the released mass landed beyond the first barrier");
     }
   }
 

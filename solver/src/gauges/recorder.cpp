@@ -17,6 +17,11 @@ GaugeScene gauge_scene(const Scene& scene, const Flow& flow) {
     const Vec2 stem = stem_direction(scene, barrier);
     g.lines.push_back({{barrier.foot_x, 0.0}, {stem.z, -stem.x}});
   }
+  if (!scene.barriers.empty()) {
+    const Barrier& first = scene.barriers.front();
+    const std::vector<Vec2> outline = barrier_outline(scene, first);
+    g.edge = {outline[first.deflector ? 2 : 1], g.lines.front().downstream};  // tip, or crest
+  }
   g.gauge_x = scene.barriers.empty() ? scene.monitor_x : scene.barriers.front().foot_x;
   for (std::size_t i = 0; i < static_cast<std::size_t>(flow.fluid().n); ++i) {
     g.released_mass += flow.fluid().mass[i];

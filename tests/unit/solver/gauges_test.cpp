@@ -1,0 +1,88 @@
+// Gauges on particles moved by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "gauges/launch.hpp"
+
+namespace parapet::solver {
+namespace {
+
+// A level channel, so that channel axes are the world's; a deflector's tip at (0.95, 0.15).
+struct OverflowScene {
+  Scene scene;
+  GaugeScene gauge;
+
+  OverflowScene() {
+    scene.slope = 0.0;
+    gauge.scene = &scene;
+    gauge.lines = {{{1.0, 0.0}, {1.0, 0.0}}};
+    gauge.edge = {{0.95, 0.15}, {1.0, 0.0}};
+    gauge.released_mass = 1.0;
+    gauge.spacing = 0.005;
+  }
+};
+
+Fluid one_particle(double mass) {
+  Fluid fluid;
+  fluid.assign(std::vector<InitialParticle>{{0.0, 0.2, 0.0, 0.0, 1000.0, mass}});
+  return fluid;
+}
+
+void put(Fluid& f, double x, double z, double u, double w) {
+  f.x[0] = x;
+  f.z[0] = z;
+  f.u[0] = u;
+  f.w[0] = w;
+}
+
+TEST(LaunchGauge, ReadsTheDirectionAtTheEdgeAndThePlaceOfLanding) {
+  OverflowScene s;
+  LaunchGauge gauge(s.gauge);
+  Fluid f = one_particle(0.02);
+  put(f, 0.90, 0.18, 1.0, 1.0);
+  gauge.observe(f, 0.0);
+  EXPECT_FALSE(gauge.impact());
+  put(f, 0.96, 0.20, 1.0, 0.5);  // the passage
+  gauge.observe(f, 0.1);
+  put(f, 1.20, 0.015, 1.0, -2.0);
+  gauge.observe(f, 0.2);
+  EXPECT_FALSE(gauge.launch()) << "nothing has landed yet";
+  put(f, 1.25, 0.005, 1.0, -2.5);
+  gauge.observe(f, 0.3);
+  ASSERT_TRUE(gauge.impact() && gauge.launch());
+  EXPECT_DOUBLE_EQ(gauge.impact()->x, 1.25);
+  EXPECT_DOUBLE_EQ(gauge.impact()->time, 0.3);
+  EXPECT_DOUBLE_EQ(gauge.impact()->landing_speed, std::hypot(1.0, 2.0));
+  EXPECT_DOUBLE_EQ(gauge.launch()->angle, std::atan2(0.5, 1.0));
+  EXPECT_DOUBLE_EQ(gauge.launch()->height, 0.20);
+}
+
+TEST(LaunchGauge, WhatLiesInThePocketBelowThePlateHasNotPassedTheEdge) {
+  OverflowScene s;
+  LaunchGauge gauge(s.gauge);
+  Fluid f = one_particle(0.02);
+  put(f, 0.97, 0.05, 0.3, 0.0);  // under the plate
+  gauge.observe(f, 0.1);
+  put(f, 0.94, 0.16, -0.2, 1.0);  // out again and up
+  gauge.observe(f, 0.2);
+  put(f, 0.96, 0.17, 1.0, 1.0);  // over the tip
+  gauge.observe(f, 0.3);
+  put(f, 1.10, 0.005, 1.0, -1.0);
+  gauge.observe(f, 0.4);
+  ASSERT_TRUE(gauge.launch());
+  EXPECT_DOUBLE_EQ(gauge.launch()->angle, std::numbers::pi / 4.0);
+}
+
+TEST(LaunchGauge, DropletsDoNotDecide) {
+  OverflowScene s;
+  LaunchGauge gauge(s.gauge);
+  Fluid f = one_particle(0.004);  // below 0.5 % of the released mass
+  put(f, 1.10, 0.005, 1.0, -1.0);
+  gauge.observe(f, 0.1);
+  EXPECT_FALSE(gauge.impact());
+}
+
+}  // namespace
+}  // namespace parapet::solver
