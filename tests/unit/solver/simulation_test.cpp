@@ -108,7 +108,7 @@ TEST(Simulation, NothingOverflowsAHighBarrierAndTheLaunchIsAbsentWithAReason) {
   Barrier barrier;
   barrier.height = 0.35;
   scene.barriers = {barrier};
-  const Result result = simulate(scene, coarse(0.02), until(1.2));
+  const Result result = simulate(scene, coarse(), until(1.2));
   ASSERT_EQ(result.status, Status::ok);
   EXPECT_EQ(result.find_metric("retention_efficiency")->value, 1.0);
   EXPECT_FALSE(result.find_metric("launch_length_m")->value);
