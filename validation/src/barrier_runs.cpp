@@ -17,14 +17,29 @@ solver::Scene scene_of(const SingleBarrier& single) {
   return scene;
 }
 
+std::vector<solver::Face> outlines(const solver::Scene& scene) {
+  std::vector<solver::Face> lines{solver::make_face({0.0, 0.0}, {scene.domain_length, 0.0}, 0, -1)};
+  for (const solver::Barrier& barrier : scene.barriers) {
+    const std::vector<solver::Vec2> outline = barrier_outline(scene, barrier);
+    for (std::size_t k = 1; k < outline.size(); ++k) {
+      lines.push_back(solver::make_face(outline[k - 1], outline[k], 0, -1));
+    }
+  }
+  return lines;
+}
+
 solver::Result simulated(const solver::Scene& scene, const solver::Numerics& numerics,
-                         const CaseRun& run) {
+                         const CaseRun& run, double frame_interval,
+                         const std::function<void(const solver::Frame&)>& on_frame) {
   solver::Callbacks callbacks;
+  callbacks.on_frame = on_frame;
+  solver::RunOptions options;
+  options.frame_interval = frame_interval;
   callbacks.on_progress = [&](const solver::Progress&) {
     run.check_cancelled();
     return true;
   };
-  solver::Result result = simulate(scene, numerics, {}, callbacks);
+  solver::Result result = simulate(scene, numerics, options, callbacks);
   if (result.status != solver::Status::ok) throw std::runtime_error(result.reason);
   return result;
 }

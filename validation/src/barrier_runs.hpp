@@ -1,9 +1,12 @@
 // Flows against barriers of the source paper's kind, for the studies of uncertainty.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "case.hpp"
+#include "geometry.hpp"
 #include "parapet/solver/simulation.hpp"
 
 namespace parapet::validation {
@@ -19,9 +22,13 @@ constexpr double bare = -1e9;  // instead of a deflector's angle
 
 solver::Scene scene_of(const SingleBarrier& barrier);
 
+// Bed and barriers as lines, for pictures.
+std::vector<solver::Face> outlines(const solver::Scene& scene);
+
 // Simulates to the settled end. Throws std::runtime_error with the reason when the run fails.
 solver::Result simulated(const solver::Scene& scene, const solver::Numerics& numerics,
-                         const CaseRun& run);
+                         const CaseRun& run, double frame_interval = 0.0,
+                         const std::function<void(const solver::Frame&)>& on_frame = {});
 
 // A metric's value; not a number where the result has none.
 double metric(const solver::Result& result, const std::string& key);

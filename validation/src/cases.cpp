@@ -8,6 +8,7 @@ std::span<const Case> all_cases() {
   static constexpr auto cases = std::to_array<Case>({
       {"plane_flows", "Plane Poiseuille and Couette flow", plane_flows},
       {"ballistic", "Overflow against the ballistic formula", ballistic},
+      {"table3", "Table 3 of the source paper", table3},
       {"conservation", "Conservation and frames of reference", conservation},
       {"grid_convergence", "Grid convergence of the metrics", grid_convergence},
       {"noise", "Scatter between equal runs", noise},

@@ -11,5 +11,6 @@ void conservation(CaseRun& run);
 void grid_convergence(CaseRun& run);
 void noise(CaseRun& run);
 void smoothness(CaseRun& run);
+void table3(CaseRun& run);
 
 }  // namespace parapet::validation

@@ -95,9 +95,11 @@ void draw_panel(Canvas& canvas, const ParticlePicture& p, const ParticlePanel& p
     const double share = (panel.quantity[k] - range.low) / range.size();
     canvas.disc(view.at(panel.x[k], panel.z[k]), radius, reports::viridis(share));
   }
-  for (const solver::Face& face : p.walls) {
-    canvas.polyline({view.at(face.a.x, face.a.z), view.at(face.b.x, face.b.z)},
-                    {wall_ink, 2.5, {}});
+  for (const auto* walls : {&p.walls, &panel.walls}) {
+    for (const solver::Face& face : *walls) {
+      canvas.polyline({view.at(face.a.x, face.a.z), view.at(face.b.x, face.b.z)},
+                      {wall_ink, 2.5, {}});
+    }
   }
   canvas.unclip();
   if (!panel.title.empty()) {
@@ -128,7 +130,7 @@ void draw_color_bar(Canvas& canvas, const PixelBox& bar, const Range& range,
 
 ParticlePanel speed_panel(const solver::Flow& flow, std::string title) {
   const solver::Fluid& f = flow.fluid();
-  ParticlePanel panel{std::move(title), {}, {}, {}};
+  ParticlePanel panel{std::move(title), {}, {}, {}, {}};
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     panel.x.push_back(f.x[i]);
     panel.z.push_back(f.z[i]);

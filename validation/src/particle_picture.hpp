@@ -10,9 +10,10 @@
 namespace parapet::validation {
 
 struct ParticlePanel {
-  std::string title;             // for example "t = 0.4 s"
-  std::vector<double> x, z;      // [m]
-  std::vector<double> quantity;  // what the colour shows, in the picture's unit
+  std::string title;                     // for example "t = 0.4 s"
+  std::vector<double> x, z;              // [m]
+  std::vector<double> quantity;          // what the colour shows, in the picture's unit
+  std::vector<solver::Face> walls = {};  // besides the picture's
 };
 
 struct ParticlePicture {
