@@ -15,13 +15,27 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
 
+namespace {
+
+// " +- 0.02  (grid 0.018, scatter 0.004)"; "~" where the order of convergence was assumed, not
+// observed.
+std::string uncertainty_text(const solver::Metric& metric) {
+  if (!metric.uncertainty) return {};
+  const solver::MetricUncertainty& u = *metric.uncertainty;
+  return fmt::format(" +- {:.2g}  (grid {}{:.2g}, scatter {:.2g})", u.expanded,
+                     u.order_observed ? "" : "~", u.discretisation, u.scatter);
+}
+
+}  // namespace
+
 std::string metrics_text(const std::vector<solver::Metric>& metrics) {
   std::size_t width = 0;
   for (const solver::Metric& metric : metrics) width = std::max(width, metric.key.size());
   std::string text;
   for (const solver::Metric& metric : metrics) {
     text += metric.value
-                ? fmt::format("  {:<{}}  {:.5g}\n", metric.key, width, *metric.value)
+                ? fmt::format("  {:<{}}  {:.5g}{}\n", metric.key, width, *metric.value,
+                              uncertainty_text(metric))
                 : fmt::format("  {:<{}}  - ({})\n", metric.key, width, metric.absent_reason);
   }
   return text;

@@ -20,7 +20,7 @@ struct ValidateOptions : CommonOptions {
   bool quick = false;
   bool list = false;
   bool strict = false;
-  bool page_only = false;
+  bool pages_only = false;
 };
 
 std::string joined(const std::vector<std::string>& names) {
@@ -56,9 +56,11 @@ validation::SuiteOutcome run_cases(const Session& session, const ValidateOptions
   return validation::run_suite(suite);
 }
 
-void write_page(const std::filesystem::path& folder) {
-  reports::write_file_atomically(folder / "README.md", validation::page_text(folder));
-  fmt::print("page: {}\n", (folder / "README.md").string());
+void write_pages(const std::filesystem::path& folder) {
+  for (const validation::Page& page : validation::pages(folder)) {
+    reports::write_file_atomically(folder / page.file, page.text);
+  }
+  fmt::print("pages: {}\n", (folder / "README.md").string());
 }
 
 int validate_command(const Session& session, const ValidateOptions& options) {
@@ -69,13 +71,13 @@ int validate_command(const Session& session, const ValidateOptions& options) {
   const std::filesystem::path folder =
       !options.out.empty() ? options.out
                            : (options.quick ? "runs/validation-quick" : "docs/validation");
-  if (options.page_only) {
-    write_page(folder);
+  if (options.pages_only) {
+    write_pages(folder);
     return exit_done;
   }
   const validation::SuiteOutcome outcome = run_cases(session, options, folder);
   fmt::print("{}", validation::scorecard_text(outcome.cards));
-  if (!options.quick) write_page(folder);
+  if (!options.quick) write_pages(folder);
   if (!outcome.unfinished.empty()) {
     session.log->error("interrupted; go on with: parapet validate {}", joined(outcome.unfinished));
     return exit_interrupted;
@@ -100,11 +102,11 @@ void add_validate(CLI::App& app, Session& session) {
   verb->add_flag("--quick", options->quick, "Coarse versions that take seconds each");
   verb->add_flag("--list", options->list, "Name the cases and stop");
   verb->add_flag("--strict", options->strict, "Exit code 1 when a limit is missed");
-  verb->add_flag("--page-only", options->page_only,
-                 "Write the page anew from the scorecards that are there");
+  verb->add_flag("--pages-only", options->pages_only,
+                 "Write the pages anew from the scorecards that are there");
   verb->footer(
       R"(Prints a scorecard of measured values beside their limits, and writes CASE.json, plots and flow
-pictures of each case and README.md, the page made of them. Cases that have ended are kept when the
+pictures of each case, CASE.md for each and README.md, the pages made of them. Cases that have ended are kept when the
 suite is interrupted.
 
 Examples:

@@ -54,6 +54,26 @@ Json metrics_absent_json(const solver::Result& result) {
   return json;
 }
 
+Json uncertainty_json(const solver::Result& result) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : result.metrics) {
+    if (!metric.uncertainty) continue;
+    const solver::MetricUncertainty& u = *metric.uncertainty;
+    Json entry;
+    entry["expanded_95"] = number_or_null(u.expanded);
+    entry["discretisation"] = number_or_null(u.discretisation);
+    entry["scatter_standard_deviation"] = number_or_null(u.scatter);
+    entry["extrapolated"] = number_or_null(u.extrapolated);
+    entry["order"] = number_or_null(u.order);
+    entry["order_observed"] = u.order_observed;
+    entry["runs"] = u.runs;
+    entry["level_spacing_m"] = u.level_spacing;
+    entry["level_mean"] = u.level_mean;
+    json[metric.key] = std::move(entry);
+  }
+  return json;
+}
+
 Json series_json(const solver::Series& series) {
   Json rows = Json::array();
   for (const auto& row : series.rows) {
@@ -95,6 +115,9 @@ Json result_json(const std::string& name, const solver::Result& result, const Js
   json["stop_time_s"] = number_or_null(result.stop_time);
   json["metrics"] = metrics_json(result);
   json["metrics_absent"] = metrics_absent_json(result);
+  if (Json uncertainty = uncertainty_json(result); !uncertainty.empty()) {
+    json["uncertainty"] = std::move(uncertainty);
+  }
   json["mass"] = mass_json(result.mass);
   json["statistics"] = statistics_json(result.statistics);
   json["provenance"] = provenance;

@@ -1,5 +1,5 @@
 // The quick versions of the validation suite's cases: each must be carried out and meet its limits,
-// but for those whose miss is explained. And the committed page must be what the committed
+// but for those whose miss is explained. And the committed pages must be what the committed
 // scorecards say.
 #include "parapet/validation/suite.hpp"
 
@@ -47,13 +47,15 @@ TEST_P(QuickSuite, MeetsItsLimits) {
 INSTANTIATE_TEST_SUITE_P(Cases, QuickSuite, testing::ValuesIn(case_names()),
                          [](const auto& test) { return test.param; });
 
-TEST(Page, IsWhatTheScorecardsSay) {
+TEST(Pages, AreWhatTheScorecardsSay) {
   const std::filesystem::path folder = PARAPET_DOCS_VALIDATION;
-  EXPECT_EQ(reports::read_file(folder / "README.md"), page_text(folder))
-      << "mend with: parapet validate --page-only";
+  for (const Page& page : pages(folder)) {
+    EXPECT_EQ(reports::read_file(folder / page.file), page.text)
+        << "mend with: parapet validate --pages-only";
+  }
 }
 
-TEST(Page, EveryFigureOfTheScorecardsIsThere) {
+TEST(Pages, EveryFigureOfTheScorecardsIsThere) {
   const std::filesystem::path folder = PARAPET_DOCS_VALIDATION;
   for (const std::string& name : case_names()) {
     if (!std::filesystem::exists(folder / (name + ".json"))) continue;  // the page says: not run

@@ -50,14 +50,15 @@ struct Frame {
   }
 };
 
-const std::array<Frame, 4> frames{{{"turned", "turned by 37 deg", 37.0 * std::numbers::pi / 180.0},
-                                   {"shifted", "shifted by (0.7, -1.3) m", 0.0, false, {0.7, -1.3}},
-                                   {"mirrored", "mirrored", 0.0, true},
-                                   {"all",
-                                    "mirrored, turned by 200 deg and shifted",
-                                    200.0 * std::numbers::pi / 180.0,
-                                    true,
-                                    {0.4, 0.9}}}};
+const std::array<Frame, 4> frames{
+    {{"turned", "turned by 37 deg", 37.0 * std::numbers::pi / 180.0, false, {}},
+     {"shifted", "shifted by (0.7, -1.3) m", 0.0, false, {0.7, -1.3}},
+     {"mirrored", "mirrored", 0.0, true, {}},
+     {"all",
+      "mirrored, turned by 200 deg and shifted",
+      200.0 * std::numbers::pi / 180.0,
+      true,
+      {0.4, 0.9}}}};
 
 FlowSetup moved(FlowSetup setup, const Frame& frame) {
   for (Face& face : setup.solids.faces) {

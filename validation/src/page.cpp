@@ -1,4 +1,5 @@
-// The page of the suite: texts from validation/pages with every figure taken from the scorecards.
+// The pages of the suite, an index and one for each case: texts from validation/pages with every
+// figure taken from the scorecards.
 #include <fmt/format.h>
 
 #include <map>
@@ -62,10 +63,25 @@ std::string summary_table(const Cards& cards) {
     met += card.count(Verdict::met);
     missed += card.count(Verdict::missed);
     text += fmt::format(
-        "| [{}](#{}) | {} | {} |\n", c.title, c.name, card.count(Verdict::met),
+        "| [{}]({}.md) | {} | {} |\n", c.title, c.name, card.count(Verdict::met),
         card.failure.empty() ? fmt::format("{}", card.count(Verdict::missed)) : "case failed");
   }
   return text + fmt::format("| **all** | **{}** | **{}** |\n", met, missed);
+}
+
+// Every limit that is missed, with its explanation.
+std::string missed_table(const Cards& cards) {
+  std::string text = "| case | measured | value | limit | why |\n|---|---|---:|---|---|\n";
+  for (const Case& c : all_cases()) {
+    const auto found = cards.find(c.name);
+    if (found == cards.end()) continue;
+    for (const Measure& m : found->second.measures) {
+      if (m.verdict() != Verdict::missed) continue;
+      text += fmt::format("| [{}]({}.md) | {} | {} | {} | {} |\n", c.name, c.name, m.what,
+                          value_text(m.value, m.unit), limit_text(m), m.explanation);
+    }
+  }
+  return text;
 }
 
 // "key" of this card or "case.key" of another: the value with its unit.
@@ -95,6 +111,8 @@ std::string filled(std::string_view text, const Cards& cards, const Scorecard* o
     const std::string name(text.substr(open + 2, close - open - 2));
     if (name == "summary") {
       out += summary_table(cards);
+    } else if (name == "missed") {
+      out += missed_table(cards);
     } else if (name == "table" && own) {
       out += measures_table(*own);
     } else {
@@ -106,22 +124,21 @@ std::string filled(std::string_view text, const Cards& cards, const Scorecard* o
 
 }  // namespace
 
-std::string page_text(const std::filesystem::path& folder) {
+std::vector<Page> pages(const std::filesystem::path& folder) {
   const Cards cards = read_cards(folder);
-  std::string text = filled(embedded_text("introduction.md"), cards, nullptr);
+  std::vector<Page> list{{"README.md", filled(embedded_text("introduction.md"), cards, nullptr)}};
   for (const Case& c : all_cases()) {
-    text += fmt::format("\n<a name=\"{}\"></a>\n## {}: `parapet validate {}`\n\n", c.name, c.title,
-                        c.name);
     const auto found = cards.find(c.name);
-    if (found == cards.end()) {
-      text += "Not run yet.\n";
-      continue;
-    }
-    text += found->second.failure.empty()
-                ? filled(embedded_text(std::string(c.name) + ".md"), cards, &found->second)
-                : measures_table(found->second);
+    if (found == cards.end()) continue;
+    const std::string body =
+        found->second.failure.empty()
+            ? filled(embedded_text(std::string(c.name) + ".md"), cards, &found->second)
+            : measures_table(found->second);
+    list.push_back({std::string(c.name) + ".md",
+                    fmt::format("# {}\n\n`parapet validate {}` - [all cases](README.md)\n\n{}",
+                                c.title, c.name, body)});
   }
-  return text;
+  return list;
 }
 
 }  // namespace parapet::validation

@@ -1,5 +1,5 @@
-// Retention and launch length over closely spaced designs: they must change smoothly, up to the
-// scatter that any two runs have.
+// The metrics that designs are judged by over closely spaced designs: they must change smoothly, up
+// to the scatter that equal runs have (the middle design with jittered lattices).
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
@@ -21,7 +21,20 @@ struct Sweep {
   std::vector<SingleBarrier> designs;
   std::vector<double> x;
   std::vector<solver::Result> results;
+  std::vector<solver::Result> repeats;  // of the middle design
 };
+
+// Standard deviation of a metric between the repeats.
+double scatter_of(const Sweep& sweep, const JudgedMetric& judged) {
+  double sum = 0.0, square = 0.0;
+  const auto n = static_cast<double>(sweep.repeats.size());
+  for (const solver::Result& r : sweep.repeats) sum += judged.scale * metric(r, judged.key);
+  for (const solver::Result& r : sweep.repeats) {
+    const double off = judged.scale * metric(r, judged.key) - sum / n;
+    square += off * off;
+  }
+  return std::sqrt(square / (n - 1.0));
+}
 
 // Residuals of a cubic fit, and their standard deviation.
 struct Residuals {
@@ -66,6 +79,19 @@ void judge(CaseRun& run, const Sweep& sweep, const JudgedMetric& judged) {
            .what = of + ", standard deviation about a cubic",
            .value = r.deviation,
            .unit = judged.unit});
+  const double scatter = scatter_of(sweep, judged);
+  run.add({.key = key + "_repeats",
+           .what = fmt::format("{}, standard deviation between {} equal runs of the middle design",
+                               of, sweep.repeats.size()),
+           .value = scatter,
+           .unit = judged.unit});
+  run.add({.key = key + "_ratio",
+           .what = of + ", first over second",
+           .value = r.deviation / scatter,
+           .upper = 2.0,
+           .reason = "the repeats tell the scatter within a quarter, it differs between designs, "
+                     "and a cubic need not fit",
+           .explanation = "the scatter of the middle design is not that of all: see the plot"});
   run.add(
       {.key = key + "_step",
        .what = of + ", largest step between neighbours beyond the cubic, in standard deviations",
@@ -93,8 +119,9 @@ void judge(CaseRun& run, const Sweep& sweep, const JudgedMetric& judged) {
 
 void smoothness(CaseRun& run) {
   const int n_angles = run.full() ? 61 : 13, n_heights = run.full() ? 41 : 9;
-  Sweep angles{"angle", "deflector angle", "deflector angle [deg]", {}, {}, {}};
-  Sweep heights{"height", "height of a bare barrier", "height [mm]", {}, {}, {}};
+  Sweep angles{"angle", "deflector angle", "deflector angle [deg]", {}, {}, {}, {}};
+  Sweep heights{"height", "height of a bare barrier", "height [mm]", {}, {}, {}, {}};
+  const std::size_t n_repeats = run.full() ? 12 : 4;
   for (int k = 0; k < n_angles; ++k) {
     angles.x.push_back(60.0 * k / (n_angles - 1));
     angles.designs.push_back({"", "", 0.1, angles.x.back()});
@@ -106,7 +133,8 @@ void smoothness(CaseRun& run) {
   std::vector<std::pair<Sweep*, std::size_t>> tasks;
   for (Sweep* sweep : {&angles, &heights}) {
     sweep->results.resize(sweep->x.size());
-    for (std::size_t k = 0; k < sweep->x.size(); ++k) tasks.emplace_back(sweep, k);
+    sweep->repeats.resize(n_repeats);
+    for (std::size_t k = 0; k < sweep->x.size() + n_repeats; ++k) tasks.emplace_back(sweep, k);
   }
   solver::Numerics numerics;
   numerics.spacing = run.full() ? 0.01 : 0.025;
@@ -114,7 +142,15 @@ void smoothness(CaseRun& run) {
       tasks.size(),
       [&](std::size_t t) {
         const auto [sweep, k] = tasks[t];
-        sweep->results[k] = simulated(scene_of(sweep->designs[k]), numerics, run);
+        if (k < sweep->x.size()) {
+          sweep->results[k] = simulated(scene_of(sweep->designs[k]), numerics, run);
+          return;
+        }
+        solver::Numerics jittered = numerics;
+        jittered.lattice_jitter = 0.01;
+        jittered.lattice_seed = static_cast<unsigned>(k);
+        sweep->repeats[k - sweep->x.size()] =
+            simulated(scene_of(sweep->designs[sweep->x.size() / 2]), jittered, run);
       },
       std::vector<double>(tasks.size(), run.full() ? 3.0 : 0.2));
   for (const Sweep* sweep : {&angles, &heights}) {

@@ -14,6 +14,10 @@ designs::Json metrics_json(const solver::Result& result);
 /// {key: why there is no value} of the metrics without one.
 designs::Json metrics_absent_json(const solver::Result& result);
 
+/// {key: {expanded_95, discretisation, ...}} of the metrics that carry an uncertainty, in the unit
+/// of the metric (see solver::MetricUncertainty).
+designs::Json uncertainty_json(const solver::Result& result);
+
 /// {columns: [...], rows: [[...]]}; null where a value is not defined.
 designs::Json series_json(const solver::Series& series);
 

@@ -28,12 +28,27 @@ enum class StopReason {
 std::string_view to_string(Status status);
 std::string_view to_string(StopReason reason);
 
+/// How far a metric can be trusted as a solution of the equations (not: of nature); in its unit.
+struct MetricUncertainty {
+  double expanded = 0.0;        ///< 95 %: root of discretisation^2 + (2 scatter)^2
+  double discretisation = 0.0;  ///< half width of the band about the value that should hold the
+                                ///< limit of fine spacings (see DiscretisationError)
+  double scatter = 0.0;         ///< standard deviation between runs with a jittered lattice
+  double extrapolated = 0.0;    ///< limit of fine spacings, as far as it can be told
+  double order = 0.0;           ///< of convergence, observed or assumed
+  bool order_observed = false;  ///< false: the runs are not in the asymptotic range
+  int runs = 0;                 ///< that entered
+  std::vector<double> level_spacing;  ///< [n_levels] particle spacing, finest first [m]
+  std::vector<double> level_mean;     ///< [n_levels] mean of the runs there
+};
+
 /// One scalar answer. Keys carry their unit as a suffix; a value that does not exist (the launch
 /// length when nothing overflows) is absent, with the reason.
 struct Metric {
   std::string key;
   std::optional<double> value;
-  std::string absent_reason;  ///< empty when there is a value
+  std::string absent_reason;                          ///< empty when there is a value
+  std::optional<MetricUncertainty> uncertainty = {};  ///< when it was asked for and can be told
 };
 
 /// What a metric means, for docs, checks and reports.

@@ -43,10 +43,15 @@ SuiteOutcome run_suite(const SuiteOptions& options);
 /// The scorecards as a table for a terminal.
 std::string scorecard_text(const std::vector<Scorecard>& cards);
 
-/// The page of the suite in Markdown, made of the scorecards in `folder` and the pages that the
-/// library holds. Every figure in it comes from the scorecards.
+struct Page {
+  std::string file;  ///< name within the folder
+  std::string text;  ///< Markdown
+};
+
+/// The pages of the suite, made of the scorecards in `folder` and the texts that the library holds:
+/// README.md, and CASE.md for each case that has a scorecard. Every figure comes from the scorecards.
 /// @throws std::invalid_argument where a scorecard cannot be read or a page asks for a figure that
 ///         no scorecard has.
-std::string page_text(const std::filesystem::path& folder);
+std::vector<Page> pages(const std::filesystem::path& folder);
 
 }  // namespace parapet::validation
