@@ -9,6 +9,7 @@ std::span<const Case> all_cases() {
       {"plane_flows", "Plane Poiseuille and Couette flow", plane_flows},
       {"operators", "Kernel and operators", operators},
       {"taylor_green", "Taylor-Green vortices", taylor_green},
+      {"oscillating_drop", "Oscillating drop", oscillating_drop},
       {"grid_convergence", "Grid convergence of the metrics", grid_convergence},
       {"noise", "Scatter between equal runs", noise},
       {"smoothness", "Smooth answers over the designs", smoothness},
