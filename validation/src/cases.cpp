@@ -10,6 +10,7 @@ std::span<const Case> all_cases() {
       {"operators", "Kernel and operators", operators},
       {"taylor_green", "Taylor-Green vortices", taylor_green},
       {"oscillating_drop", "Oscillating drop", oscillating_drop},
+      {"rotating_patch", "Rotating patch", rotating_patch},
       {"grid_convergence", "Grid convergence of the metrics", grid_convergence},
       {"noise", "Scatter between equal runs", noise},
       {"smoothness", "Smooth answers over the designs", smoothness},

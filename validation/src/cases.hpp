@@ -9,6 +9,7 @@ void plane_flows(CaseRun& run);
 void operators(CaseRun& run);
 void taylor_green(CaseRun& run);
 void oscillating_drop(CaseRun& run);
+void rotating_patch(CaseRun& run);
 void grid_convergence(CaseRun& run);
 void noise(CaseRun& run);
 void smoothness(CaseRun& run);
