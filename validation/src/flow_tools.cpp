@@ -65,8 +65,8 @@ Totals totals(const Flow& flow) {
     t.momentum = t.momentum + m * Vec2{f.u[i], f.w[i]};
     t.angular_momentum += m * (f.x[i] * f.w[i] - f.z[i] * f.u[i]);
     t.kinetic += 0.5 * m * (f.u[i] * f.u[i] + f.w[i] * f.w[i]);
-    t.potential += m * (0.5 * central * (f.x[i] * f.x[i] + f.z[i] * f.z[i]) -
-                        (g.x * f.x[i] + g.z * f.z[i]));
+    t.potential +=
+        m * (0.5 * central * (f.x[i] * f.x[i] + f.z[i] * f.z[i]) - (g.x * f.x[i] + g.z * f.z[i]));
     t.elastic += 0.5 * m * c * c * compression * compression;
     t.dissipation += f.volume[i] * f.viscosity[i] * f.shear_rate[i] * f.shear_rate[i];
   }

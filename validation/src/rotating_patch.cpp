@@ -262,8 +262,9 @@ void add_finest(CaseRun& run, const Square& square, const Patch& patch) {
                 .value = 100.0 * patch.whole[sample_at(2.0)],
                 .unit = "%",
                 .lower = 99.5,
-                .reason = "the exact patch stays whole; the last half per cent are the corners' "
-                          "tips, thinner than a particle"};
+                .reason =
+                    "the exact patch stays whole; the last half per cent are the corners' "
+                    "tips, thinner than a particle"};
   if (whole.verdict() == Verdict::missed)
     whole.explanation = "more of the tips is thinner than a particle at this spacing";
   run.add(whole);
