@@ -221,8 +221,9 @@ void add_spin(CaseRun& run, const Square& square, const Patch& patch, const std:
         "terms are not, may move it";
     if (m.verdict() == Verdict::missed)
       m.explanation =
-          "shifting moves mass that keeps its particle's momentum; without shifting "
-          "less is lost while the patch is whole, but it is torn apart";
+          "shifting moves mass that keeps its particle's momentum (without it less is "
+          "lost, but the patch is torn apart); later the control of the tensile "
+          "instability switches in pieces a few particles thick";
   }
   run.add(m);
 }
