@@ -133,8 +133,8 @@ void Flow::add_body_and_pressure_force(std::vector<double>& ax, std::vector<doub
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     passes_.pressure_force(a, ax.data(), az.data(), begin, end);
     for (std::size_t i = at(begin); i < at(end); ++i) {
-      ax[i] += setup_.gravity.x;
-      az[i] += setup_.gravity.z;
+      ax[i] += setup_.gravity.x - setup_.central_force * fluid_.x[i];
+      az[i] += setup_.gravity.z - setup_.central_force * fluid_.z[i];
     }
   });
 }

@@ -23,6 +23,9 @@ struct FlowSetup {
   Numerics numerics;
   Material material;
   Vec2 gravity;  // [m/s2]
+  // A^2 of a force -A^2 r towards the origin beside gravity, for drops without walls: the pressure
+  // of wall points does not know it [1/s2].
+  double central_force = 0.0;
   Solids solids;
   std::vector<InitialParticle> particles;
   int n_barriers = 0;

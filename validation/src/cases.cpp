@@ -7,6 +7,10 @@ namespace parapet::validation {
 std::span<const Case> all_cases() {
   static constexpr auto cases = std::to_array<Case>({
       {"plane_flows", "Plane Poiseuille and Couette flow", plane_flows},
+      {"operators", "Kernel and operators", operators},
+      {"taylor_green", "Taylor-Green vortices", taylor_green},
+      {"oscillating_drop", "Oscillating drop", oscillating_drop},
+      {"rotating_patch", "Rotating patch", rotating_patch},
       {"ballistic", "Overflow against the ballistic formula", ballistic},
       {"table3", "Table 3 of the source paper", table3},
       {"conservation", "Conservation and frames of reference", conservation},

@@ -6,6 +6,10 @@
 namespace parapet::validation {
 
 void plane_flows(CaseRun& run);
+void operators(CaseRun& run);
+void taylor_green(CaseRun& run);
+void oscillating_drop(CaseRun& run);
+void rotating_patch(CaseRun& run);
 void ballistic(CaseRun& run);
 void conservation(CaseRun& run);
 void grid_convergence(CaseRun& run);

@@ -35,7 +35,7 @@ struct Totals {
   solver::Vec2 momentum;          // [kg/s]
   double angular_momentum = 0.0;  // about the origin, anticlockwise in (x, z) [kg m/s]
   double kinetic = 0.0;           // [J/m]
-  double potential = 0.0;         // in the flow's gravity [J/m]
+  double potential = 0.0;         // in the flow's body forces [J/m]
   double elastic = 0.0;           // of the compressible fluid, sum m c^2/2 (rho/rho_0 - 1)^2 [J/m]
   double dissipation = 0.0;       // sum V eta g^2 with the present shear rates [W/m]
 };

@@ -245,5 +245,24 @@ TEST(Passes, ViscousPowerIsTheDissipationOfTheShearRates) {
   EXPECT_NEAR(-power / dissipation, 1.0, 1e-12);
 }
 
+TEST(Passes, CentralForcePullsTowardsTheOrigin) {
+  FlowSetup setup;
+  setup.numerics.spacing = dx;
+  setup.gravity = {0.5, -2.0};
+  setup.central_force = 9.0;
+  const double rho = setup.material.density;
+  setup.particles = {{0.2, -0.1, 0.0, 0.0, rho, 0.1}, {-1.0, 2.0, 0.0, 0.0, rho, 0.1}};
+  Flow flow(std::move(setup));
+  flow.prepare_neighbors();
+  flow.update_pressure();
+  const Fluid& f = static_cast<const Flow&>(flow).fluid();
+  std::vector<double> ax(f.x.size(), 0.0), az = ax;
+  flow.add_body_and_pressure_force(ax, az);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_DOUBLE_EQ(ax[i], 0.5 - 9.0 * f.x[i]);
+    EXPECT_DOUBLE_EQ(az[i], -2.0 - 9.0 * f.z[i]);
+  }
+}
+
 }  // namespace
 }  // namespace parapet::solver
