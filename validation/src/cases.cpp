@@ -7,6 +7,7 @@ namespace parapet::validation {
 std::span<const Case> all_cases() {
   static constexpr auto cases = std::to_array<Case>({
       {"plane_flows", "Plane Poiseuille and Couette flow", plane_flows},
+      {"dam_break", "Water dam break against a wall", dam_break},
       {"water_column", "Collapse of a column of water", water_column},
       {"grid_convergence", "Grid convergence of the metrics", grid_convergence},
       {"noise", "Scatter between equal runs", noise},

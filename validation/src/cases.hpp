@@ -6,6 +6,7 @@
 namespace parapet::validation {
 
 void plane_flows(CaseRun& run);
+void dam_break(CaseRun& run);
 void water_column(CaseRun& run);
 void grid_convergence(CaseRun& run);
 void noise(CaseRun& run);

@@ -245,7 +245,7 @@ void water_column(CaseRun& run) {
              .upper = 3.0,
              .reason = "nothing breaks here: what density diffusion and shifting take must be "
                        "small and never be given",
-             .explanation = "two thirds of it is the shifting's, see the row without it"});
+             .explanation = "the shifting takes or gives it; see the row without"});
   };
   add_energy("energy", fmt::format("{} over the depth", across.back()), finest.numerical_share);
   add_energy("energy_coarser", fmt::format("{} over the depth", across[last - 1]),
@@ -270,7 +270,7 @@ void water_column(CaseRun& run) {
   picture.window_to = {6.0 * base, 2.1 * base};
   picture.panels = pictured->panels;
   picture.columns = 1;
-  picture.width_px = 800;
+  picture.width_px = 700;
   draw(run, "flow.png", picture);
 }
 
