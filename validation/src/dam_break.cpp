@@ -59,7 +59,8 @@ Group group(const char* key, const char* name, const DamBreak& d, std::size_t re
 
 void dam_break(CaseRun& run) {
   const Lobovsky m = read_lobovsky();
-  std::vector<Group> groups;  // spacings from coarse to fine, the high dam, influences
+  std::vector<Group>
+      groups;  // spacings from coarse to fine, the high dam, influences (no-slip first)
   std::size_t n_spacings = 0;
   if (run.full()) {
     groups.push_back(group("10", "10 mm", dam(0.3, 0.01), 4));
@@ -68,12 +69,12 @@ void dam_break(CaseRun& run) {
     n_spacings = 3;
     groups.push_back(group("high", "10 mm", dam(0.6, 0.01), 3));
     groups.back().dam.end = 2.9;
+    groups.push_back(group("no_slip", "7.5 mm, no-slip walls", dam(0.3, 0.0075), 3));
+    groups.back().dam.slip = solver::WallSlip::no_slip;
     groups.push_back(group("alpha_0", "7.5 mm, no grid viscosity", dam(0.3, 0.0075), 3));
     groups.back().dam.alpha = 0.0;
     groups.push_back(group("alpha_2", "7.5 mm, grid viscosity doubled", dam(0.3, 0.0075), 3));
     groups.back().dam.alpha = 0.02;
-    groups.push_back(group("no_slip", "7.5 mm, no-slip walls", dam(0.3, 0.0075), 3));
-    groups.back().dam.slip = solver::WallSlip::no_slip;
     groups.push_back(group("sound", "7.5 mm, sound speed 1.5 times", dam(0.3, 0.0075), 3));
     groups.back().dam.sound_factor = 30.0;
   } else {
@@ -82,15 +83,18 @@ void dam_break(CaseRun& run) {
     n_spacings = 2;
     groups.push_back(group("high", "30 mm", dam(0.6, 0.03), 1));
     groups.back().dam.end = 2.9;
+    groups.push_back(group("no_slip", "20 mm, no-slip walls", dam(0.3, 0.02), 1));
+    groups.back().dam.slip = solver::WallSlip::no_slip;
   }
   groups[n_spacings - 2].dam.pictures = {1.0, 2.5, 3.0, 4.5, 6.0, 7.5};
   compute(groups, m, run);
   const std::vector<Group> spacings(
       std::make_move_iterator(groups.begin()),
       std::make_move_iterator(groups.begin() + std::ptrdiff_t(n_spacings)));
-  add_depths(run, spacings, m);
+  const Group& no_slip = groups[n_spacings + 1];
+  add_depths(run, spacings, no_slip, m);
   add_peaks(run, spacings, m);
-  add_decay(run, spacings, m);
+  add_decay(run, spacings, no_slip, m);
   add_forces(run, spacings, m);
   add_high_dam(run, groups[n_spacings], m);
   std::vector<const Group*> influences;
@@ -98,7 +102,7 @@ void dam_break(CaseRun& run) {
   add_influences(run, influences, m);
   add_balances(run, spacings.back());
   draw_depths(run, spacings.back(), m);
-  draw_pressures(run, spacings, m);
+  draw_pressures(run, spacings, no_slip, m);
   draw_flow(run, spacings[spacings.size() - 2]);
 }
 

@@ -30,7 +30,8 @@ void draw_depths(CaseRun& run, const Group& finest, const Lobovsky& m) {
   draw_line_plot(run.figure("depths.png"), p);
 }
 
-void draw_pressures(CaseRun& run, const std::vector<Group>& spacings, const Lobovsky& m) {
+void draw_pressures(CaseRun& run, const std::vector<Group>& spacings, const Group& no_slip,
+                    const Lobovsky& m) {
   reports::LinePlot p;
   p.title = "Pressure at sensor 2 (15 mm), means over 0.1 in t*";
   p.x_label = "t* = t sqrt(g/H), on the pressure's arrival";
@@ -42,6 +43,8 @@ void draw_pressures(CaseRun& run, const std::vector<Group>& spacings, const Lobo
     p.series.push_back({spacings[k].name, m.sensor_2.t, sensor_2(spacings[k].whole(), m),
                         reports::SeriesStyle::line, static_cast<int>(k) + 1});
   }
+  p.series.push_back({no_slip.name, m.sensor_2.t, sensor_2(no_slip.whole(), m),
+                      reports::SeriesStyle::dashed, static_cast<int>(spacings.size()) + 1});
   p.x_limits = {2.3, 7.0};
   p.y_limits = {0.0, 3.5};
   p.width_px = 900;
