@@ -51,7 +51,6 @@ struct WallView {
 struct GradientSums {
   double *fluid_bxx, *fluid_bxz, *fluid_bzz;  // over the fluid alone
   double *bxx, *bxz, *bzz;                    // over fluid and walls
-  double *normal_x, *normal_z;                // sum grad W V_j, over both [1/m]
   double *density_x, *density_z;              // sum (rho_j - rho_i) grad W V_j, fluid [kg/m4]
   double *ux, *uz, *wx, *wz;                  // sum (u_j - u_i) grad W V_j, both [1/s]
   double *shift_x, *shift_z;                  // sum of Eq. 9 without its factor, both [1/m]

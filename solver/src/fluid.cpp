@@ -153,10 +153,9 @@ FluidView Fluid::view() const {
 
 GradientSums Fluid::gradient_sums() {
   auto& s = sums;
-  return {s[0].data(),  s[1].data(),  s[2].data(),  s[3].data(),  s[4].data(),
-          s[5].data(),  s[6].data(),  s[7].data(),  s[8].data(),  s[9].data(),
-          s[10].data(), s[11].data(), s[12].data(), s[13].data(), s[14].data(),
-          s[15].data(), s[16].data(), s[17].data(), s[18].data(), s[19].data()};
+  return {s[0].data(),  s[1].data(),  s[2].data(),  s[3].data(),  s[4].data(),  s[5].data(),
+          s[6].data(),  s[7].data(),  s[8].data(),  s[9].data(),  s[10].data(), s[11].data(),
+          s[12].data(), s[13].data(), s[14].data(), s[15].data(), s[16].data(), s[17].data()};
 }
 
 }  // namespace parapet::solver

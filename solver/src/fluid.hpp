@@ -28,7 +28,7 @@ struct Fluid {
   std::vector<double> lambda, closeness, tic;          // eigenvalue (Eq. 10), trace; control
   std::vector<double> shift_u, shift_w;                // Eq. 9-11
   std::vector<double> density_grad_x, density_grad_z;  // Eq. 8
-  std::vector<double> sums[20];                        // of the gradient pass
+  std::vector<double> sums[18];                        // of the gradient pass
   std::vector<double> du, dw;                          // change in the last step (m/s)
   std::vector<std::int32_t> id;                        // of the particle at release
 

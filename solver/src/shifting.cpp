@@ -27,18 +27,15 @@ struct Symmetric {
   }
 };
 
-Vec2 shifting_velocity(Vec2 sum, Vec2 normal_sum, double lambda, const ShiftingSettings& s) {
-  if (is_spray(lambda) || s.factor == 0.0) return {};
-  Vec2 shift = (-2.0 * s.smoothing_length * s.max_speed * s.factor) * sum;  // Eq. 9
+// Not within reach of a free surface, where Eq. 10 keeps the tangential part: there the sum is the
+// hole of the missing neighbours, along the normal and at the cap of half the largest speed. What
+// is left across it after the projection is no measure of disorder, and the transport terms that
+// belong to it tear the tip of a thin front apart.
+Vec2 shifting_velocity(Vec2 sum, double lambda, const ShiftingSettings& s) {
+  if (lambda <= lambda_interior || s.factor == 0.0) return {};
+  const Vec2 shift = (-2.0 * s.smoothing_length * s.max_speed * s.factor) * sum;  // Eq. 9
   const double size = norm(shift), cap = 0.5 * s.max_speed;
-  if (size > cap && size > 0.0) shift = (cap / size) * shift;  // Eq. 11
-  if (lambda > lambda_interior) return shift;
-  // sum grad W V points into the fluid; its opposite is the surface normal of Eq. 10
-  const double length = norm(normal_sum);
-  if (length <= 0.0) return shift;
-  const Vec2 normal = (-1.0 / length) * normal_sum;
-  const double outward = dot(shift, normal);
-  return outward >= 0.0 ? shift - outward * normal : shift;
+  return size > cap && size > 0.0 ? (cap / size) * shift : shift;  // Eq. 11
 }
 
 }  // namespace
@@ -52,8 +49,7 @@ void finish_gradients(Fluid& f, const ShiftingSettings& settings, int begin, int
     const double lambda = all.smallest_eigenvalue();
     f.lambda[k] = lambda;
     f.closeness[k] = s.bxx[i] + s.bzz[i];
-    const Vec2 shift = shifting_velocity({s.shift_x[i], s.shift_z[i]},
-                                         {s.normal_x[i], s.normal_z[i]}, lambda, settings);
+    const Vec2 shift = shifting_velocity({s.shift_x[i], s.shift_z[i]}, lambda, settings);
     f.shift_u[k] = shift.x;
     f.shift_w[k] = shift.z;
     f.tic[k] = f.pressure[k] < 0.0 && lambda > lambda_interior ? -1.0 : 1.0;

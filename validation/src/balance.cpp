@@ -24,8 +24,8 @@ void Balance::add_step(Flow& flow) {
   impulse_ = impulse_ + (dt * now.mass) * flow.setup().gravity;
   scale_ =
       std::max({scale_, norm(now.momentum), now.mass * norm(flow.setup().gravity) * flow.time()});
-  for (const solver::BarrierImpulse& taken : flow.take_impulses())
-    impulse_ = impulse_ - taken.force;
+  last_ = flow.take_impulses();
+  for (const solver::BarrierImpulse& taken : last_) impulse_ = impulse_ - taken.force;
 }
 
 double Balance::mass_change(const Flow& flow) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "case.hpp"
 #include "flow_tools.hpp"
@@ -21,6 +22,9 @@ class Balance {
   // After each step of the flow.
   void add_step(solver::Flow& flow);
 
+  // What each barrier received in the last step; the flow itself no longer knows it.
+  const std::vector<solver::BarrierImpulse>& last_impulses() const { return last_; }
+
   // Mass now (with what has left) over mass at the start, minus 1.
   double mass_change(const solver::Flow& flow) const;
   // |momentum now - momentum at the start - impulse of gravity and walls| over the largest
@@ -37,6 +41,7 @@ class Balance {
  private:
   Totals start_;
   solver::Vec2 impulse_;  // of gravity and walls on the fluid [N s/m]
+  std::vector<solver::BarrierImpulse> last_;
   double scale_ = 0.0, dissipated_ = 0.0;
 };
 

@@ -14,6 +14,8 @@ std::span<const Case> all_cases() {
       {"ballistic", "Overflow against the ballistic formula", ballistic},
       {"table3", "Table 3 of the source paper", table3},
       {"conservation", "Conservation and frames of reference", conservation},
+      {"dam_break", "Water dam break against a wall", dam_break},
+      {"water_column", "Collapse of a column of water", water_column},
       {"grid_convergence", "Grid convergence of the metrics", grid_convergence},
       {"noise", "Scatter between equal runs", noise},
       {"smoothness", "Smooth answers over the designs", smoothness},

@@ -12,6 +12,8 @@ void oscillating_drop(CaseRun& run);
 void rotating_patch(CaseRun& run);
 void ballistic(CaseRun& run);
 void conservation(CaseRun& run);
+void dam_break(CaseRun& run);
+void water_column(CaseRun& run);
 void grid_convergence(CaseRun& run);
 void noise(CaseRun& run);
 void smoothness(CaseRun& run);

@@ -8,7 +8,6 @@ namespace {
 
 struct Moments {
   v8d bxx, bxz, bzz;   // B
-  v8d nx, nz;          // sum grad W V
   v8d sx, sz;          // Eq. 9
   v8d ux, uz, wx, wz;  // velocity gradient
   v8d pp, pq, qq;      // fourth moments
@@ -24,8 +23,6 @@ PARAPET_INLINE void add(const FlowConstants& c, Moments& m, const PairGeometry& 
   m.bxx -= gx * g.rx;
   m.bxz -= gx * g.rz;
   m.bzz -= gz * g.rz;
-  m.nx += gx;
-  m.nz += gz;
   const v8d ratio = kernel_w(c.kernel, g.q, g.t) * splat(1.0 / c.kernel.w_at_spacing);
   const v8d ratio2 = ratio * ratio;
   const v8d weight = splat(1.0) + splat(0.2) * (ratio2 * ratio2);  // R = 0.2, n = 4
@@ -55,8 +52,7 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
   const FluidView& f = a.fluid;
   for (int i = begin; i < end; ++i) {
     const v8d zero = splat(0.0);
-    Moments m = {zero, zero, zero, zero, zero, zero, zero, zero,
-                 zero, zero, zero, zero, zero, zero, zero};
+    Moments m = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
     v8d rho_x = zero, rho_z = zero;
     const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), rho_i = splat(f.density[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
@@ -98,8 +94,6 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     out.bxx[i] = sum_lanes(m.bxx);
     out.bxz[i] = sum_lanes(m.bxz);
     out.bzz[i] = sum_lanes(m.bzz);
-    out.normal_x[i] = sum_lanes(m.nx);
-    out.normal_z[i] = sum_lanes(m.nz);
     out.shift_x[i] = sum_lanes(m.sx);
     out.shift_z[i] = sum_lanes(m.sz);
     out.ux[i] = sum_lanes(m.ux);

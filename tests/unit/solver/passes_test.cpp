@@ -9,6 +9,7 @@
 #include "channel.hpp"
 #include "flow.hpp"
 #include "passes/pass_table.hpp"
+#include "shifting.hpp"
 
 namespace parapet::solver {
 namespace {
@@ -213,6 +214,34 @@ TEST(Passes, RenormalisedGradientsAreExactForLinearFields) {
       EXPECT_GT(f.shear_rate[i], 0.95 * std::sqrt(80.0));
     }
     EXPECT_LT(f.shear_rate[i], std::sqrt(80.0) + 1e-9);
+  }
+}
+
+TEST(Passes, ShiftingMovesDisplacedParticlesBackAndLeavesTheSurfaceAlone) {
+  FlowSetup setup;
+  setup.numerics.spacing = dx;
+  setup.particles = lattice_block(0.0, 0.0, 0.2, 0.2, dx, setup.material.density);
+  constexpr std::size_t displaced = 10 * 20 + 10;  // in the middle
+  setup.particles[displaced].x += 0.3 * dx;
+  setup.particles[displaced].z -= 0.2 * dx;
+  Flow flow(std::move(setup));
+  flow.prepare_neighbors();
+  flow.update_pressure();
+  flow.update_gradients();
+  Fluid& f = flow.fluid();
+  constexpr double largest_speed = 2.0;
+  finish_gradients(f, {h, largest_speed, 1.0, false}, 0, f.n);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    EXPECT_LE(std::hypot(f.shift_u[i], f.shift_w[i]), 0.5 * largest_speed + 1e-12);
+    const double margin = std::min(std::min(f.x[i], 0.2 - f.x[i]), std::min(f.z[i], 0.2 - f.z[i]));
+    if (margin < dx) {
+      EXPECT_EQ(f.shift_u[i], 0.0);
+      EXPECT_EQ(f.shift_w[i], 0.0);
+    }
+    if (static_cast<std::size_t>(f.id[i]) == displaced) {
+      EXPECT_LT(f.shift_u[i], -0.01 * largest_speed);
+      EXPECT_GT(f.shift_w[i], 0.01 * largest_speed);
+    }
   }
 }
 

@@ -139,8 +139,9 @@ TEST(Simulation, StoppingOnceSettledDoesNotChangeTheAnswer) {
                           "barrier_1_run_up_height_m", "dead_zone_length_m"}) {
     const Metric *a = settled.find_metric(key), *b = whole.find_metric(key);
     ASSERT_EQ(a->value.has_value(), b->value.has_value()) << key;
-    // one of the 384 particles may still creep over the line
-    EXPECT_NEAR(a->value.value_or(0.0), b->value.value_or(0.0), 1.0 / 384.0) << key;
+    // The cut-off viscosity lets what lies on the 65 mm of the deflector strain by 0.1 1/s: in two
+    // seconds by a particle spacing, so that one more column of three may creep over its edge.
+    EXPECT_NEAR(a->value.value_or(0.0), b->value.value_or(0.0), 3.1 / 384.0) << key;
   }
 }
 
