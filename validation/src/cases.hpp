@@ -6,6 +6,7 @@
 namespace parapet::validation {
 
 void plane_flows(CaseRun& run);
+void uniform_flow(CaseRun& run);
 void grid_convergence(CaseRun& run);
 void noise(CaseRun& run);
 void smoothness(CaseRun& run);
