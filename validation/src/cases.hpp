@@ -7,6 +7,8 @@ namespace parapet::validation {
 
 void plane_flows(CaseRun& run);
 void uniform_flow(CaseRun& run);
+void slump(CaseRun& run);
+void pond(CaseRun& run);
 void grid_convergence(CaseRun& run);
 void noise(CaseRun& run);
 void smoothness(CaseRun& run);
