@@ -7,6 +7,7 @@ namespace parapet::validation {
 std::span<const Case> all_cases() {
   static constexpr auto cases = std::to_array<Case>({
       {"plane_flows", "Plane Poiseuille and Couette flow", plane_flows},
+      {"tanks", "Fluid at rest in tanks", tanks},
       {"uniform_flow", "Uniform debris flow down the channel", uniform_flow},
       {"slump", "Arrested slump on a flat bed", slump},
       {"pond", "Pond held behind a stem", pond},

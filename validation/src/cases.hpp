@@ -6,6 +6,7 @@
 namespace parapet::validation {
 
 void plane_flows(CaseRun& run);
+void tanks(CaseRun& run);
 void uniform_flow(CaseRun& run);
 void slump(CaseRun& run);
 void pond(CaseRun& run);
