@@ -228,22 +228,38 @@ void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
     held.lower = 1.0;
     held.upper = pressed.volume() / limit.volume();
     held.reason = fmt::format("{}", "thin layer, and pressed together with its normal stresses");
-    held.explanation =
-        fmt::format("{}",
-                    "upstream the layer stops at more than h_c: its sheared part is thinner than a "
-                    "particle (see the uniform layers)");
+    held.explanation = fmt::format(
+        "{}",
+        "the excess sits upstream, where the layer stops at more than h_c because its "
+        "sheared part is thinner than a particle, and within one height of the stem, where "
+        "no thin layer is left");
   }
   run.add(held);
-  double sum = 0.0, upstream = 0.0;
+  double sum = 0.0, upstream = 0.0, far = 0.0, near = 0.0;
   int count = 0;
   for (std::size_t k = 0; k < o.x.size(); ++k) {
-    const double difference = o.surface[k] - limit.depth(pond.length - o.x[k]);
+    const double from_stem = pond.length - o.x[k];
+    const double difference = o.surface[k] - limit.depth(from_stem);
     sum += difference * difference;
+    if (from_stem > 3.0 * pond.height) far += bin * difference;
+    if (from_stem < pond.height) near += bin * difference;
     if (o.x[k] > 0.1 && o.x[k] < 0.3) {
       upstream += o.surface[k];
       ++count;
     }
   }
+  run.add({.key = fmt::format("far_{}", key),
+           .what = fmt::format("excess further than three heights upstream, over the formula's "
+                               "volume, {}",
+                               of),
+           .value = 100.0 * far / limit.volume(),
+           .unit = "%"});
+  run.add({.key = fmt::format("near_{}", key),
+           .what = fmt::format("excess within one height of the stem, over the formula's volume, "
+                               "{}",
+                               of),
+           .value = 100.0 * near / limit.volume(),
+           .unit = "%"});
   run.add({.key = fmt::format("surface_{}", key),
            .what = fmt::format("surface against the formula, rms over the stem's height, {}", of),
            .value = 100.0 * std::sqrt(sum / static_cast<double>(o.x.size())) / pond.height,
@@ -261,9 +277,17 @@ void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
            .what = fmt::format("thrust on the stem over the hydrostatic one of its depth, {}", of),
            .value = o.thrust / hydrostatic,
            .lower = 1.0,
-           .upper = 1.0 + 2.0 * std::numbers::sqrt2 * scene.material.yield_stress * h / hydrostatic,
-           .reason = "from a fluid's to the passive pressure of a cohesive soil on a rough wall, "
-                     "2 sqrt(2) tau_y more"});
+           .reason = "the layer presses on the stem, it does not hang from it"});
+  // along the bed: weight = thrust + friction; the back wall does not pull
+  const double friction = weight * std::sin(scene.slope) * o.volume.back() - o.thrust;
+  run.add({.key = fmt::format("friction_{}", key),
+           .what = fmt::format("friction on the bed over tau_y times its length, {}", of),
+           .value = friction / (scene.material.yield_stress * pond.length),
+           .lower = 0.0,
+           .upper = 1.0,
+           .reason = "a bed at rest carries no more than the yield stress",
+           .explanation = "beside a wall the yield stress comes out too large where the shear is "
+                          "all between the wall and the first row"});
   run.add({.key = fmt::format("rest_{}", key),
            .what = fmt::format("largest speed at the end, {}", of),
            .value = 1e3 * o.speed,
@@ -368,18 +392,19 @@ void pond(CaseRun& run) {
            .reason = "a wall is a wall"});
   draw_surfaces(run, ponds, outcomes);
   ParticlePicture picture;
-  picture.title = fmt::format("Speed at the end, {:.3g} mm", 1e3 * ponds.front().spacing);
+  const std::size_t shown = run.full() ? 1 : 0;
+  picture.title = fmt::format("Speed at the end, {:.3g} mm", 1e3 * ponds[shown].spacing);
   picture.quantity = "speed [mm/s]";
   picture.low = 0.0;
   picture.high = 5.0;
-  picture.spacing = ponds.front().spacing;
-  picture.walls = outcomes.front().walls;
+  picture.spacing = ponds[shown].spacing;
+  picture.walls = outcomes[shown].walls;
   picture.window_from = {0.35, -0.01};
   picture.window_to = {0.84, 0.16};
-  picture.panels.push_back(outcomes.front().panel);
+  picture.panels.push_back(outcomes[shown].panel);
   if (run.full()) picture.panels.push_back(outcomes[3].panel);
   picture.columns = 1;
-  picture.width_px = 900;
+  picture.width_px = 760;
   draw(run, "particles.png", picture);
 }
 
