@@ -6,203 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
+#include <string>
 #include <vector>
 
-#include "balance.hpp"
 #include "cases.hpp"
-#include "channel.hpp"
-#include "flow_tools.hpp"
 #include "parapet/reports/line_plot.hpp"
-#include "particle_picture.hpp"
+#include "pond_flow.hpp"
 
 namespace parapet::validation {
 
-using solver::Flow;
-using solver::FlowSetup;
-using solver::Fluid;
-using solver::InitialParticle;
-using solver::Material;
+using ponds::Outcome;
+using ponds::Pond;
+using ponds::StaticLimit;
 using solver::Scene;
 
 namespace {
 
-constexpr double released = 0.06;     // volume of the channel's reservoir [m2]
-constexpr double excess = 0.05;       // of the depth at the start [m]
-constexpr double bin = 0.02;          // over which depths are averaged [m]
-constexpr double step = 1e-4;         // of the integration [m]
-constexpr double time_to_rest = 6.0;  // [s]
-
-// Depth against the distance s upstream of the stem, where it equals the stem's height. The layer
-// is about to flow downstream and the bed carries tau_y: rho g cos a h dh/dx = rho g sin a h -
-// tau_y, that is dh/dx = tan a (1 - h_c/h) with h_c = tau_y/(rho g sin a) and x downstream.
-// `stretching`: 0 for the thin layer; +1 or -1 adds the normal stresses, (pi/2) tau_y h, of a layer
-// that is drawn out or pressed together, the theory's next order.
-class StaticLimit {
- public:
-  StaticLimit(const Scene& scene, double height, double length, double stretching = 0.0)
-      : length_(length) {
-    const Material& m = scene.material;
-    const double normal = m.density * scene.gravity * std::cos(scene.slope);
-    const double along = m.density * scene.gravity * std::sin(scene.slope);
-    const auto slope = [&](double h) {
-      return (along * h - m.yield_stress) /
-             (normal * h - stretching * 0.5 * std::numbers::pi * m.yield_stress);
-    };
-    double h = height;
-    for (double s = 0.0; s < length + step; s += step) {
-      depth_.push_back(h);
-      const double half = h - 0.5 * step * slope(h);
-      h -= step * slope(half);
-    }
-  }
-  double depth(double s) const {
-    const double at = std::clamp(s / step, 0.0, static_cast<double>(depth_.size() - 2));
-    const auto k = static_cast<std::size_t>(at);
-    return depth_[k] + (at - static_cast<double>(k)) * (depth_[k + 1] - depth_[k]);
-  }
-  double volume() const {
-    double sum = 0.0;
-    const int n = static_cast<int>(std::round(length_ / step));
-    for (int k = 0; k < n; ++k) sum += step * depth((k + 0.5) * step);
-    return sum;
-  }
-
- private:
-  double length_;
-  std::vector<double> depth_;
-};
-
-struct Pond {
-  double height;   // of the stem [m]
-  double length;   // from the back wall to the stem [m]
-  double spacing;  // [m]
-  double cutoff;   // [1/s]
-  bool skimmed;    // what rises above the crest's level is taken away
-};
-
-struct Outcome {
-  std::vector<double> time, volume;  // held [m2]
-  std::vector<double> x, surface;    // depths at the end [m]
-  double thrust = 0.0;               // on the stem, mean of the last 2 s [N/m]
-  double depth_at_stem = 0.0;        // at the end [m]
-  double speed = 0.0;                // largest upstream of the stem at the end [m/s]
-  double mass_change = 0.0;
-  int inside = 0;
-  ParticlePanel panel;
-  std::vector<solver::Face> walls;
-};
-
-Scene scene_of(const Pond& pond) {
-  Scene scene;
-  scene.domain_length = pond.length + 0.12;
-  scene.material.cutoff_shear_rate = pond.cutoff;
-  solver::Barrier stem;
-  stem.foot_x = pond.length;
-  stem.height = pond.height;
-  stem.stem_lean = -scene.slope;
-  scene.barriers = {stem};
-  return scene;
-}
-
-Outcome computed(const Pond& pond, const CaseRun& run) {
-  const Scene scene = scene_of(pond);
-  const StaticLimit limit(scene, pond.height, pond.length);
-  solver::Numerics numerics;
-  numerics.spacing = pond.spacing;
-  numerics.sound_speed = 20.0;  // ten times what falls from the crest
-  FlowSetup setup = solver::channel_setup(scene, numerics, 1);
-  setup.particles.clear();
-  if (pond.skimmed) setup.ceiling_z = pond.height;
-  for (InitialParticle p : solver::lattice_block(0.0, 0.0, pond.length, pond.height + 2.0 * excess,
-                                                 pond.spacing, scene.material.density)) {
-    double depth = limit.depth(pond.length - p.x) + excess;
-    if (pond.skimmed) depth = std::min(depth, pond.height);
-    depth -= p.z;
-    if (depth <= 0.0) continue;
-    p.density -= scene.material.density * setup.gravity.z * depth /
-                 (numerics.sound_speed * numerics.sound_speed);
-    setup.particles.push_back(p);
-  }
-  Flow flow(std::move(setup));
-  Balance balance(flow);
-  Outcome out;
-  double before = 0.0;
-  const auto sample = [&](Flow& now) {
-    const Fluid& f = std::as_const(now).fluid();
-    double mass = 0.0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-      if (f.x[i] < pond.length) mass += f.mass[i];
-    }
-    out.time.push_back(now.time());
-    out.volume.push_back(mass / scene.material.density);
-    out.inside += now.particles_inside_walls();
-    if (now.time() < time_to_rest - 2.0 + 1e-9)
-      before = balance.impulses().empty() ? 0.0 : balance.impulses()[0].force.x;
-  };
-  advance_sampled(flow, time_to_rest, 0.1, run, sample, &balance);
-  const Fluid& f = std::as_const(flow).fluid();
-  out.thrust = (balance.impulses()[0].force.x - before) / 2.0;
-  const auto bins = static_cast<std::size_t>(std::round(pond.length / bin));
-  out.surface.assign(bins, 0.0);
-  for (std::size_t k = 0; k < bins; ++k) out.x.push_back((static_cast<double>(k) + 0.5) * bin);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-    if (f.x[i] >= pond.length) continue;
-    out.speed = std::max(out.speed, std::hypot(f.u[i], f.w[i]));
-    // a particle's mass is spread over a square of its volume
-    const double side = std::sqrt(f.volume[i]), from = f.x[i] - 0.5 * side, to = from + side;
-    for (std::size_t k = static_cast<std::size_t>(std::max(0.0, from / bin));
-         k < bins && static_cast<double>(k) * bin < to; ++k) {
-      const double left = static_cast<double>(k) * bin;
-      const double overlap = std::min(to, left + bin) - std::max(from, left);
-      out.surface[k] += f.mass[i] / scene.material.density * std::max(overlap, 0.0) / side / bin;
-    }
-  }
-  out.depth_at_stem = out.surface.back();
-  out.mass_change = balance.mass_change(flow);
-  out.panel = speed_panel(flow, fmt::format("stem of {:.0f} mm, {}", 1e3 * pond.height,
-                                            pond.skimmed ? "skimmed at the crest" : "free crest"));
-  for (double& u : out.panel.quantity) u *= 1e3;
-  out.walls = flow.solids().faces;
-  return out;
-}
-
-// A uniform layer a quarter deeper than h_c, in rows of particles: its speed at the surface over
-// the exact one of Herschel-Bulkley flow. The sheared part below the plug is a fifth of the depth.
-double layer_speed(int rows, const CaseRun& run) {
-  const Scene scene;
-  Material material = scene.material;
-  material.cutoff_shear_rate = 0.01;
-  const double drive = material.density * scene.gravity * std::sin(scene.slope);
-  const double h_c = material.yield_stress / drive, depth = 1.25 * h_c, n = material.flow_index;
-  const double exact = n / (n + 1.0) * std::pow(drive / material.consistency, 1.0 / n) *
-                       std::pow(depth - h_c, 1.0 + 1.0 / n);
-  FlowSetup setup;
-  setup.numerics.spacing = depth / rows;
-  setup.numerics.sound_speed = 5.0;
-  setup.numerics.cg_tolerance = 1e-3;
-  setup.material = material;
-  setup.gravity = {scene.gravity * std::sin(scene.slope), -scene.gravity * std::cos(scene.slope)};
-  setup.periodic_length = 12.0 * setup.numerics.spacing;
-  add_periodic_wall(setup, setup.periodic_length, 0.0, true);
-  setup.particles = solver::lattice_block(0.0, 0.0, setup.periodic_length, depth,
-                                          setup.numerics.spacing, material.density);
-  for (InitialParticle& p : setup.particles) {
-    p.u = exact * std::min(1.0, p.z / (depth - h_c));
-    p.density -= material.density * setup.gravity.z * (depth - p.z) / 25.0;
-  }
-  Flow flow(std::move(setup));
-  advance(flow, 1.0, run);
-  const Fluid& f = std::as_const(flow).fluid();
-  double speed = 0.0;
-  int top = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-    if (f.z[i] < 0.6 * depth) continue;
-    speed += f.u[i];
-    ++top;
-  }
-  return speed / top / exact;
-}
+constexpr double released = 0.06;  // volume of the channel's reservoir [m2]
 
 std::string label(const Pond& p) {
   return fmt::format("{:.0f} mm stem, {:.3g} mm{}{}", 1e3 * p.height, 1e3 * p.spacing,
@@ -216,7 +36,7 @@ std::string key_of(const Pond& p) {
 }
 
 void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
-  const Scene scene = scene_of(pond);
+  const Scene scene = ponds::scene_of(pond);
   const StaticLimit limit(scene, pond.height, pond.length);
   const StaticLimit pressed(scene, pond.height, pond.length, -1.0);
   const std::string key = key_of(pond), of = label(pond);
@@ -241,8 +61,8 @@ void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
     const double from_stem = pond.length - o.x[k];
     const double difference = o.surface[k] - limit.depth(from_stem);
     sum += difference * difference;
-    if (from_stem > 3.0 * pond.height) far += bin * difference;
-    if (from_stem < pond.height) near += bin * difference;
+    if (from_stem > 3.0 * pond.height) far += ponds::bin * difference;
+    if (from_stem < pond.height) near += ponds::bin * difference;
     if (o.x[k] > 0.1 && o.x[k] < 0.3) {
       upstream += o.surface[k];
       ++count;
@@ -294,9 +114,9 @@ void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
            .unit = "mm/s"});
 }
 
-void draw_surfaces(CaseRun& run, const std::vector<Pond>& ponds,
+void draw_surfaces(CaseRun& run, const std::vector<Pond>& list,
                    const std::vector<Outcome>& outcomes) {
-  const Pond& first = ponds.front();
+  const Pond& first = list.front();
   reports::LinePlot plot;
   plot.title =
       fmt::format("Pond behind a bed-normal stem of {:.0f} mm on 26 deg", 1e3 * first.height);
@@ -304,7 +124,7 @@ void draw_surfaces(CaseRun& run, const std::vector<Pond>& ponds,
   plot.y_label = "depth [mm]";
   const auto line = [&](double stretching, const char* name, reports::SeriesStyle style,
                         int color) {
-    const StaticLimit limit(scene_of(first), first.height, first.length, stretching);
+    const StaticLimit limit(ponds::scene_of(first), first.height, first.length, stretching);
     reports::PlotSeries s{name, {}, {}, style, color};
     for (int k = 0; k <= 200; ++k) {
       s.x.push_back(first.length * k / 200.0);
@@ -313,10 +133,10 @@ void draw_surfaces(CaseRun& run, const std::vector<Pond>& ponds,
     return s;
   };
   int color = 2;
-  for (std::size_t k = 0; k < ponds.size(); ++k) {
-    if (ponds[k].height != first.height) continue;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (list[k].height != first.height) continue;
     reports::PlotSeries s{
-        label(ponds[k]), outcomes[k].x, {}, reports::SeriesStyle::line_and_markers, color++};
+        label(list[k]), outcomes[k].x, {}, reports::SeriesStyle::line_and_markers, color++};
     for (const double h : outcomes[k].surface) s.y.push_back(1e3 * h);
     plot.series.push_back(s);
   }
@@ -336,7 +156,7 @@ void pond(CaseRun& run) {
   };
   for (const Share& s :
        {Share{0.1, 0.8, 0.41}, {0.1, 1.1, 0.50}, {0.18, 0.8, 0.79}, {0.18, 1.1, 0.89}}) {
-    const Scene scene = scene_of({s.height, s.length, 0.01, 0.01, true});
+    const Scene scene = ponds::scene_of({s.height, s.length, 0.01, 0.01, true});
     run.add({.key = fmt::format("share_{:.0f}_{:.0f}", 1e3 * s.height, 1e2 * s.length),
              .what = fmt::format("formula: share of 0.06 m2 held over {:.1f} m by {:.0f} mm",
                                  s.length, 1e3 * s.height),
@@ -345,32 +165,32 @@ void pond(CaseRun& run) {
              .upper = s.expected + 0.005,
              .reason = "an independent integration, two digits"});
   }
-  std::vector<Pond> ponds;
+  std::vector<Pond> list;
   if (run.full()) {
-    ponds = {{0.1, 0.8, 0.005, 0.01, true}, {0.1, 0.8, 0.0075, 0.01, true},
-             {0.1, 0.8, 0.01, 0.01, true},  {0.1, 0.8, 0.0075, 0.01, false},
-             {0.18, 0.8, 0.01, 0.01, true}, {0.1, 0.8, 0.01, 0.1, true}};
+    list = {{0.1, 0.8, 0.005, 0.01, true}, {0.1, 0.8, 0.0075, 0.01, true},
+            {0.1, 0.8, 0.01, 0.01, true},  {0.1, 0.8, 0.0075, 0.01, false},
+            {0.18, 0.8, 0.01, 0.01, true}, {0.1, 0.8, 0.01, 0.1, true}};
   } else {
-    ponds = {{0.1, 0.8, 0.0125, 0.01, true}};
+    list = {{0.1, 0.8, 0.0125, 0.01, true}};
   }
   const std::vector<int> rows = run.full() ? std::vector{3, 6, 12, 18, 24, 32} : std::vector{3, 12};
-  std::vector<Outcome> outcomes(ponds.size());
+  std::vector<Outcome> outcomes(list.size());
   std::vector<double> speeds(rows.size()), cost;
-  for (const Pond& p : ponds) cost.push_back(3e-6 / std::pow(p.spacing, 3.0));
+  for (const Pond& p : list) cost.push_back(3e-6 / std::pow(p.spacing, 3.0));
   run.side_by_side(
-      ponds.size() + rows.size(),
+      list.size() + rows.size(),
       [&](std::size_t k) {
-        if (k < ponds.size()) {
-          outcomes[k] = computed(ponds[k], run);
+        if (k < list.size()) {
+          outcomes[k] = ponds::computed(list[k], run);
         } else {
-          speeds[k - ponds.size()] = layer_speed(rows[k - ponds.size()], run);
+          speeds[k - list.size()] = ponds::layer_speed(rows[k - list.size()], run);
         }
       },
       cost);
   double mass = 0.0;
   int inside = 0;
-  for (std::size_t k = 0; k < ponds.size(); ++k) {
-    add_pond(run, ponds[k], outcomes[k]);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    add_pond(run, list[k], outcomes[k]);
     mass = std::max(mass, std::abs(outcomes[k].mass_change));
     inside += outcomes[k].inside;
   }
@@ -390,14 +210,14 @@ void pond(CaseRun& run) {
            .value = static_cast<double>(inside),
            .upper = 0.0,
            .reason = "a wall is a wall"});
-  draw_surfaces(run, ponds, outcomes);
+  draw_surfaces(run, list, outcomes);
   ParticlePicture picture;
   const std::size_t shown = run.full() ? 1 : 0;
-  picture.title = fmt::format("Speed at the end, {:.3g} mm", 1e3 * ponds[shown].spacing);
+  picture.title = fmt::format("Speed at the end, {:.3g} mm", 1e3 * list[shown].spacing);
   picture.quantity = "speed [mm/s]";
   picture.low = 0.0;
   picture.high = 5.0;
-  picture.spacing = ponds[shown].spacing;
+  picture.spacing = list[shown].spacing;
   picture.walls = outcomes[shown].walls;
   picture.window_from = {0.35, -0.01};
   picture.window_to = {0.84, 0.16};

@@ -6,206 +6,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
-#include <utility>
+#include <string>
 #include <vector>
 
-#include "balance.hpp"
 #include "cases.hpp"
-#include "channel.hpp"
-#include "flow_tools.hpp"
 #include "parapet/reports/line_plot.hpp"
-#include "particle_picture.hpp"
+#include "slump_flow.hpp"
 
 namespace parapet::validation {
 
-using solver::Flow;
-using solver::FlowSetup;
-using solver::Fluid;
-using solver::InitialParticle;
+using slumps::Arrested;
+using slumps::Heap;
+using slumps::Outcome;
+using slumps::Slump;
 using solver::Material;
 
 namespace {
-
-constexpr double gravity = 9.81;  // [m/s2]
-constexpr double volume = 0.06;   // [m2], the channel's reservoir
-constexpr double bin = 0.02;      // over which depths are averaged [m]
-constexpr int n_bins = 100;
-constexpr double front_depth = 0.2;   // the front is read at this share of the theory's h(0)
-constexpr double sound_speed = 13.0;  // 10 sqrt(g h) of the block [m/s]
-constexpr double block_length = 0.4;  // of the released block [m]
-
-// Thin layer at rest: the bed carries tau_y everywhere, rho g h |h'| = tau_y. To the next order the
-// layer also stretches: its normal stresses carry (pi/2) tau_y h, so that
-// rho g h |h'| = tau_y (1 + pi/2 |h'|). `order` 0 or 1.
-class Arrested {
- public:
-  Arrested(const Material& m, int order)
-      : a_(m.density * gravity / (2.0 * m.yield_stress)),
-        b_(order == 0 ? 0.0 : 0.5 * std::numbers::pi) {
-    // V = 2/3 a h0^3 - b/2 h0^2
-    double low = 0.0, high = 10.0;
-    for (int k = 0; k < 100; ++k) {
-      h0_ = 0.5 * (low + high);
-      (2.0 / 3.0 * a_ * h0_ * h0_ * h0_ - 0.5 * b_ * h0_ * h0_ < volume ? low : high) = h0_;
-    }
-  }
-  double depth_at_wall() const { return h0_; }
-  // Where the depth is h.
-  double position(double h) const { return (a_ * h0_ - b_) * h0_ - (a_ * h - b_) * h; }
-  // Depth at x, behind the front.
-  double depth(double x) const {
-    // a h^2 - b h = X(0) - x, the larger root
-    const double rest = std::max(position(0.0) - x, 0.0);
-    return (b_ + std::sqrt(b_ * b_ + 4.0 * a_ * rest)) / (2.0 * a_);
-  }
-  double front() const { return position(front_depth * h0_); }
-  // At the same depth as that theory's front.
-  double front_at(const Arrested& other) const { return position(front_depth * other.h0_); }
-
- private:
-  double a_, b_, h0_ = 0.0;
-};
-
-// Viscosity only decides how fast the heap comes to rest. It flows with a large consistency first,
-// so that inertia plays no part, and comes to rest with a small one.
-struct Stage {
-  double consistency;  // [Pa s^N]
-  double time;         // [s]
-};
-
-struct Heap {
-  const char* key;
-  const char* name;
-  double yield_stress;  // [Pa]
-  std::vector<Stage> stages;
-};
-
-struct Slump {
-  const Heap* heap;
-  double cutoff;   // [1/s]
-  double spacing;  // [m]
-};
-
-struct Outcome {
-  std::vector<double> time, front;  // [s], [m]
-  std::vector<double> x, depth;     // profile at the end [m]
-  double front_speed = 0.0;         // over the last 5 s [m/s]
-  double inertia = 0.0;             // largest rho u^2/2 over tau_y after the first stage
-  double mass_change = 0.0, momentum_error = 0.0;
-  double energy_lost = 0.0, dissipated = 0.0;  // [J/m]
-  int inside = 0;
-  std::vector<ParticlePanel> panels;
-  std::vector<solver::Face> walls;
-};
-
-Material material_of(const Slump& slump) {
-  Material m;
-  m.yield_stress = slump.heap->yield_stress;
-  m.cutoff_shear_rate = slump.cutoff;
-  return m;
-}
-
-FlowSetup slump_setup(const Slump& slump, const Material& material,
-                      std::vector<InitialParticle> particles) {
-  FlowSetup setup;
-  setup.numerics.spacing = slump.spacing;
-  setup.numerics.sound_speed = sound_speed;
-  setup.material = material;
-  setup.gravity = {0.0, -gravity};
-  add_wall(setup, {0.0, 0.0}, {3.0, 0.0});
-  add_wall(setup, {0.0, 1.0}, {0.0, 0.0});
-  measure_all_walls(setup);
-  setup.particles = std::move(particles);
-  return setup;
-}
-
-std::vector<double> depths(const Fluid& f, double density, int n_bins) {
-  std::vector<double> h(static_cast<std::size_t>(n_bins), 0.0);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-    // a particle's mass is spread over a square of its volume
-    const double side = std::sqrt(f.volume[i]), from = f.x[i] - 0.5 * side, to = from + side;
-    for (int k = std::max(0, static_cast<int>(from / bin)); k < n_bins && k * bin < to; ++k) {
-      const double overlap = std::min(to, (k + 1) * bin) - std::max(from, k * bin);
-      h[static_cast<std::size_t>(k)] += f.mass[i] / density * std::max(overlap, 0.0) / side / bin;
-    }
-  }
-  return h;
-}
-
-// Foremost position where the depth falls through `level`.
-double front_of(const std::vector<double>& h, double level) {
-  for (std::size_t k = h.size() - 1; k-- > 0;) {
-    if (h[k] < level) continue;
-    const double share = (h[k] - level) / (h[k] - h[k + 1]);
-    return (static_cast<double>(k) + 0.5 + share) * bin;
-  }
-  return 0.0;
-}
-
-Outcome computed(const Slump& slump, const CaseRun& run) {
-  Material material = material_of(slump);
-  const double level = front_depth * Arrested(material, 0).depth_at_wall();
-  Outcome out;
-  double start_time = 0.0;
-  const auto sample = [&](Flow& flow) {
-    const Fluid& f = std::as_const(flow).fluid();
-    out.depth = depths(f, material.density, n_bins);
-    out.time.push_back(start_time + flow.time());
-    out.front.push_back(front_of(out.depth, level));
-    out.inside += flow.particles_inside_walls();
-  };
-  std::vector<InitialParticle> particles = solver::lattice_block(
-      0.0, 0.0, block_length, volume / block_length, slump.spacing, material.density);
-  for (InitialParticle& p : particles) {
-    p.density +=
-        material.density * gravity * (volume / block_length - p.z) / (sound_speed * sound_speed);
-  }
-  for (const Stage& stage : slump.heap->stages) {
-    material.consistency = stage.consistency;
-    Flow flow(slump_setup(slump, material, particles));
-    Balance balance(flow);
-    advance_sampled(flow, stage.time, 0.1, run, sample, &balance);
-    start_time += stage.time;
-    // the first stage only brings the heap to where its inertia is small
-    const bool released = &stage != &slump.heap->stages.front();
-    const double speed = released ? flow.statistics().max_speed : 0.0;
-    out.inertia =
-        std::max(out.inertia, 0.5 * material.density * speed * speed / material.yield_stress);
-    out.momentum_error = std::max(out.momentum_error, balance.momentum_error(flow));
-    out.mass_change = std::max(out.mass_change, std::abs(balance.mass_change(flow)));
-    out.energy_lost += balance.energy_loss(flow);
-    out.dissipated += balance.dissipated();
-    ParticlePanel panel = speed_panel(flow, fmt::format("t = {:.0f} s", start_time));
-    for (double& u : panel.quantity) u *= 1e3;
-    out.panels.push_back(panel);
-    out.walls = flow.setup().solids.faces;
-    const Fluid& f = std::as_const(flow).fluid();
-    particles.clear();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-      particles.push_back({f.x[i], f.z[i], f.u[i], f.w[i], f.density[i], f.mass[i]});
-    }
-  }
-  for (int k = 0; k < n_bins; ++k) out.x.push_back((k + 0.5) * bin);
-  const std::size_t last = out.time.size() - 1, span = 50;
-  out.front_speed =
-      (out.front[last] - out.front[last - span]) / (out.time[last] - out.time[last - span]);
-  return out;
-}
-
-// rms of depth minus theory over the heap, relative to the theory's depth at the wall.
-double profile_error(const Outcome& o, const Arrested& theory) {
-  double sum = 0.0;
-  int count = 0;
-  for (std::size_t k = 0; k < o.x.size(); ++k) {
-    if (o.x[k] > theory.position(0.0)) break;
-    const double h = theory.depth(o.x[k]);
-    sum += (o.depth[k] - h) * (o.depth[k] - h);
-    ++count;
-  }
-  return 100.0 * std::sqrt(sum / count) / theory.depth_at_wall();
-}
 
 // Table 1's debris, and one of a sixth of its yield stress, which makes a longer and thinner heap.
 const Heap& table1() {
@@ -222,7 +39,7 @@ constexpr double small_cutoff = 0.01;  // [1/s]; the flow's own rates are above 
 
 void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacings,
               const std::vector<const Outcome*>& outcomes) {
-  const Material m = material_of({&heap, small_cutoff, 0.0});
+  const Material m = slumps::material_of({&heap, small_cutoff, 0.0});
   const Arrested thin_layer(m, 0), next(m, 1);
   const std::string key = heap.key;
   run.add({.key = key + "_aspect",
@@ -265,7 +82,7 @@ void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacing
              .what = fmt::format("{}: profile against the next order, rms of depth over depth at "
                                  "the wall, {:.3g} mm",
                                  heap.name, mm),
-             .value = profile_error(*outcomes[k], next),
+             .value = slumps::profile_error(*outcomes[k], next),
              .unit = "%",
              .upper = finest ? std::optional(5.0) : std::nullopt,
              .reason = finest ? "as for the run-out, of which the profile is the sum" : ""});
@@ -283,7 +100,7 @@ void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacing
 
 void draw_profile(CaseRun& run, const Heap& heap, const std::vector<double>& spacings,
                   const std::vector<const Outcome*>& outcomes) {
-  const Material m = material_of({&heap, small_cutoff, 0.0});
+  const Material m = slumps::material_of({&heap, small_cutoff, 0.0});
   const Arrested thin_layer(m, 0), next(m, 1);
   reports::LinePlot plot;
   plot.title = fmt::format("Arrested slump, {}", heap.name);
@@ -319,15 +136,15 @@ void draw_profile(CaseRun& run, const Heap& heap, const std::vector<double>& spa
   draw_line_plot(run.figure(fmt::format("{}.png", heap.key)), plot);
 }
 
-void draw_creep(CaseRun& run, const std::vector<Slump>& slumps,
+void draw_creep(CaseRun& run, const std::vector<Slump>& list,
                 const std::vector<const Outcome*>& outcomes) {
   reports::LinePlot plot;
   plot.title = fmt::format("Front of Table 1's heap for cut-offs of the shear rate, {:.3g} mm",
-                           1e3 * slumps.front().spacing);
+                           1e3 * list.front().spacing);
   plot.x_label = "time [s]";
   plot.y_label = "position of the front [m]";
-  for (std::size_t k = 0; k < slumps.size(); ++k) {
-    plot.series.push_back({fmt::format("{:.2g} 1/s", slumps[k].cutoff), outcomes[k]->time,
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    plot.series.push_back({fmt::format("{:.2g} 1/s", list[k].cutoff), outcomes[k]->time,
                            outcomes[k]->front, reports::SeriesStyle::line, static_cast<int>(k)});
   }
   plot.width_px = 900;
@@ -352,7 +169,7 @@ void slump(CaseRun& run) {
   for (const Slump& s : list) cost.push_back(1e-5 / std::pow(s.spacing, 3.0));
   std::vector<Outcome> outcomes(list.size());
   run.side_by_side(
-      list.size(), [&](std::size_t k) { outcomes[k] = computed(list[k], run); }, cost);
+      list.size(), [&](std::size_t k) { outcomes[k] = slumps::computed(list[k], run); }, cost);
   const auto find = [&](const Heap& heap, double cutoff, double spacing) -> const Outcome& {
     std::size_t k = 0;
     while (list[k].heap != &heap || list[k].cutoff != cutoff || list[k].spacing != spacing) ++k;
