@@ -31,8 +31,10 @@ std::string label(const Pond& p) {
 }
 
 std::string key_of(const Pond& p) {
-  return fmt::format("{:.0f}_{:.3g}{}{}", 1e3 * p.height, 1e3 * p.spacing, p.skimmed ? "" : "_free",
-                     p.cutoff > 0.05 ? "_cutoff" : "");
+  std::string key = fmt::format("{:.0f}_{:.3g}{}{}", 1e3 * p.height, 1e3 * p.spacing,
+                                p.skimmed ? "" : "_free", p.cutoff > 0.05 ? "_cutoff" : "");
+  std::replace(key.begin(), key.end(), '.', 'p');  // a dot would name another case
+  return key;
 }
 
 void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {

@@ -24,6 +24,12 @@ using solver::Material;
 
 namespace {
 
+// In a page a dot would name another case.
+std::string without_dots(std::string key) {
+  std::replace(key.begin(), key.end(), '.', 'p');
+  return key;
+}
+
 // Table 1's debris, and one of a sixth of its yield stress, which makes a longer and thinner heap.
 const Heap& table1() {
   static const Heap heap{"table1", "Table 1 (90 Pa)", 90.0, {{45.0, 6.0}, {4.526, 14.0}}};
@@ -59,7 +65,7 @@ void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacing
     const auto add = [&](const char* name, const char* words, double value, bool limited,
                          const char* explanation) {
       Measure measure;
-      measure.key = fmt::format("{}_{}_{:.3g}", key, name, mm);
+      measure.key = without_dots(fmt::format("{}_{}_{:.3g}", key, name, mm));
       measure.what = fmt::format("{}: {}, {:.3g} mm", heap.name, words, mm);
       measure.value = value;
       measure.unit = fmt::format("%");
@@ -78,7 +84,7 @@ void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacing
                                  : "");
     add("next", "run-out against the theory's next order",
         100.0 * (front / next.front_at(thin_layer) - 1.0), finest, "");
-    run.add({.key = fmt::format("{}_profile_{:.3g}", key, mm),
+    run.add({.key = without_dots(fmt::format("{}_profile_{:.3g}", key, mm)),
              .what = fmt::format("{}: profile against the next order, rms of depth over depth at "
                                  "the wall, {:.3g} mm",
                                  heap.name, mm),
@@ -191,13 +197,13 @@ void slump(CaseRun& run) {
     creeps.push_back(&find(table1(), s.cutoff, s.spacing));
     const Outcome& o = *creeps.back();
     if (&s == &creeping.front()) continue;
-    run.add({.key = fmt::format("cutoff_{:.2g}", s.cutoff),
+    run.add({.key = without_dots(fmt::format("cutoff_{:.2g}", s.cutoff)),
              .what = fmt::format("Table 1: run-out with a cut-off of {:.2g} 1/s against one of "
                                  "{:.2g} 1/s, {:.3g} mm",
                                  s.cutoff, small_cutoff, 1e3 * s.spacing),
              .value = 100.0 * (o.front.back() / creeps.front()->front.back() - 1.0),
              .unit = "%"});
-    run.add({.key = fmt::format("creep_{:.2g}", s.cutoff),
+    run.add({.key = without_dots(fmt::format("creep_{:.2g}", s.cutoff)),
              .what = fmt::format("Table 1: speed that a cut-off of {:.2g} 1/s adds to the front at "
                                  "the end, over cut-off x h(0)/3",
                                  s.cutoff),
