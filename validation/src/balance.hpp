@@ -32,6 +32,8 @@ class Balance {
   double momentum_error(const solver::Flow& flow) const;
   // Kinetic, potential and elastic energy lost since the start [J/m].
   double energy_loss(const solver::Flow& flow) const;
+  // Of the fluid on each load cell since the start.
+  const std::vector<solver::BarrierImpulse>& impulses() const { return impulses_; }
   // Dissipated by the viscous forces since the start [J/m].
   double dissipated() const { return dissipated_; }
   // (energy lost - dissipated) over `scale`, by default the energy lost: what the scheme itself
@@ -41,7 +43,11 @@ class Balance {
  private:
   Totals start_;
   solver::Vec2 impulse_;  // of gravity and walls on the fluid [N s/m]
+<<<<<<< HEAD
   std::vector<solver::BarrierImpulse> last_;
+=======
+  std::vector<solver::BarrierImpulse> impulses_;
+>>>>>>> cases-b
   double scale_ = 0.0, dissipated_ = 0.0;
 };
 

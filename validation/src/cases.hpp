@@ -5,18 +5,22 @@
 
 namespace parapet::validation {
 
-void plane_flows(CaseRun& run);
 void operators(CaseRun& run);
+void plane_flows(CaseRun& run);
+void uniform_flow(CaseRun& run);
+void tanks(CaseRun& run);
+void conservation(CaseRun& run);
 void taylor_green(CaseRun& run);
 void oscillating_drop(CaseRun& run);
 void rotating_patch(CaseRun& run);
-void ballistic(CaseRun& run);
-void conservation(CaseRun& run);
+void slump(CaseRun& run);
+void pond(CaseRun& run);
 void dam_break(CaseRun& run);
 void water_column(CaseRun& run);
+void ballistic(CaseRun& run);
+void table3(CaseRun& run);
 void grid_convergence(CaseRun& run);
 void noise(CaseRun& run);
 void smoothness(CaseRun& run);
-void table3(CaseRun& run);
 
 }  // namespace parapet::validation

@@ -1,0 +1,270 @@
+#include "tank_flow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "balance.hpp"
+#include "channel.hpp"
+#include "flow_tools.hpp"
+
+namespace parapet::validation::tank_flows {
+
+using solver::Flow;
+using solver::FlowSetup;
+using solver::Fluid;
+using solver::Scene;
+using solver::Vec2;
+
+namespace {
+
+constexpr double gravity = 9.81;  // [m/s2]
+constexpr double wall_top = 0.5;  // of the side walls [m]
+
+// Hydrostatics of a tank with the fluid's compressibility.
+class Hydrostatics {
+ public:
+  // The surface follows from the mass that is in the tank.
+  Hydrostatics(const Tank& tank, const FlowSetup& setup);
+
+  double height(Vec2 p) const { return dot(up_, p); }
+  double pressure(Vec2 p) const { return pressure_at(surface_ - height(p)); }
+  double surface() const { return surface_; }
+  double depth() const { return surface_ - bottom_; }
+  double mass_center() const { return mass_center_; }  // height of it
+  // Of the fluid on a face.
+  Vec2 force(const solver::Face& face) const;
+
+ private:
+  // dp/dz = -(rho_0 + p/c2) g
+  double pressure_at(double depth) const {
+    return depth > 0.0 ? rho_0_ * c2_ * std::expm1(gravity * depth / c2_) : 0.0;
+  }
+
+  Vec2 up_;
+  double rho_0_, c2_, surface_ = 0.0, bottom_ = 0.0, mass_center_ = 0.0;
+};
+
+bool in_tank(const Tank& tank, const solver::Solids& solids, Vec2 p) {
+  if (p.x <= 0.0 || p.x >= tank.length || p.z <= 0.0) return false;
+  for (const solver::Body& body : solids.bodies) {
+    if (!body.outline.empty() && inside_polygon(body.outline, p)) return false;
+  }
+  return true;
+}
+
+Hydrostatics::Hydrostatics(const Tank& tank, const FlowSetup& setup)
+    : up_{-std::sin(tank.slope), std::cos(tank.slope)},
+      rho_0_(setup.material.density),
+      c2_(setup.numerics.sound_speed * setup.numerics.sound_speed) {
+  constexpr double cell = 1e-3;  // [m]
+  bottom_ = height({tank.length, 0.0});
+  std::vector<double> heights;
+  for (double x = 0.5 * cell; x < tank.length; x += cell) {
+    for (double z = 0.5 * cell; z < wall_top; z += cell) {
+      if (in_tank(tank, setup.solids, {x, z})) heights.push_back(height({x, z}));
+    }
+  }
+  double mass = 0.0;
+  for (const solver::InitialParticle& p : setup.particles) mass += p.mass;
+  double low = bottom_, high = wall_top;
+  for (int k = 0; k < 40; ++k) {
+    surface_ = 0.5 * (low + high);
+    double sum = 0.0, moment = 0.0;
+    for (const double h : heights) {
+      if (h > surface_) continue;
+      const double m = cell * cell * (rho_0_ + pressure_at(surface_ - h) / c2_);
+      sum += m;
+      moment += m * h;
+    }
+    mass_center_ = moment / sum;
+    (sum < mass ? low : high) = surface_;
+  }
+}
+
+Vec2 Hydrostatics::force(const solver::Face& face) const {
+  constexpr int parts = 2000;
+  double sum = 0.0;
+  for (int k = 0; k < parts; ++k) {
+    sum += pressure(face.a + ((k + 0.5) / parts * face.length) * face.tangent);
+  }
+  return (-sum * face.length / parts) * face.normal;
+}
+
+// The barrier of the tilted tank: 100 mm with a 45 deg deflector, as in the channel.
+Scene barrier_scene() {
+  Scene scene;
+  solver::Barrier barrier;
+  barrier.foot_x = 0.22;
+  barrier.deflector = solver::Deflector{.angle = std::numbers::pi / 4.0, .length = 0.065};
+  scene.barriers = {barrier};
+  return scene;
+}
+
+FlowSetup tank_setup(const Tank& tank) {
+  FlowSetup setup;
+  const double dx = tank.spacing;
+  setup.numerics.spacing = dx;
+  setup.numerics.integrator = tank.integrator;
+  setup.numerics.shifting_factor = tank.shifting;
+  setup.material = tank.material;
+  setup.gravity = {gravity * std::sin(tank.slope), -gravity * std::cos(tank.slope)};
+  const double depth = tank.surface + tank.length * std::sin(tank.slope);
+  setup.numerics.sound_speed = 10.0 * std::sqrt(gravity * depth);
+  add_wall(setup, {0.0, 0.0}, {tank.length, 0.0});
+  add_wall(setup, {tank.length, 0.0}, {tank.length, wall_top});
+  add_wall(setup, {0.0, wall_top}, {0.0, 0.0});
+  if (tank.barrier) {
+    const Scene scene = barrier_scene();
+    add_outline(setup.solids, barrier_outline(scene, scene.barriers.front()), 0, true);
+  }
+  // every face is a load cell of its own
+  setup.n_barriers = static_cast<int>(setup.solids.faces.size());
+  for (int k = 0; k < setup.n_barriers; ++k) {
+    setup.solids.faces[static_cast<std::size_t>(k)].barrier = k;
+  }
+  const double c2 = setup.numerics.sound_speed * setup.numerics.sound_speed;
+  const Vec2 up{-std::sin(tank.slope), std::cos(tank.slope)};
+  for (solver::InitialParticle p :
+       solver::lattice_block(0.0, 0.0, tank.length, wall_top, dx, setup.material.density)) {
+    const Vec2 at{p.x, p.z};
+    const double below = tank.surface - dot(up, at);
+    bool keep = below > 0.0 && in_tank(tank, setup.solids, at);
+    for (const solver::Face& face : setup.solids.faces) {
+      keep = keep && distance_to_segment(face.a, face.b, at) > 0.45 * dx;
+    }
+    if (!keep) continue;
+    p.density += setup.material.density * gravity * below / c2;
+    p.mass *= p.density / setup.material.density;
+    setup.particles.push_back(p);
+  }
+  return setup;
+}
+
+// Moves the particles until they surround each other and fill the corners evenly: against
+// sum grad W V, walls included, as far as the free surface does not reach (after Colagrossi et al.
+// 2012), never closer to a wall than 0.4 dx. A lattice cut by oblique plates leaves gaps, which a
+// fluid with a yield stress would keep.
+void pack(FlowSetup& setup, const Tank& tank) {
+  const Vec2 up{-std::sin(tank.slope), std::cos(tank.slope)};
+  Flow flow{FlowSetup(setup)};
+  flow.refresh();
+  Fluid& f = flow.fluid();
+  const double h = flow.smoothing_length(), dx = tank.spacing;
+  for (int iteration = 0; iteration < 300; ++iteration) {
+    flow.prepare_neighbors();
+    flow.update_gradients();
+    const solver::GradientSums sums = f.gradient_sums();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+      const Vec2 at{f.x[i], f.z[i]};
+      if (tank.surface - dot(up, at) < 2.0 * h) continue;
+      Vec2 step = (-0.15 * h * h) * Vec2{sums.normal_x[i], sums.normal_z[i]};
+      const double size = norm(step), cap = 0.05 * dx;
+      if (size > cap) step = (cap / size) * step;
+      const Vec2 to = at + step;
+      const bool clear = std::all_of(
+          setup.solids.faces.begin(), setup.solids.faces.end(), [&](const solver::Face& face) {
+            return distance_to_segment(face.a, face.b, to) >
+                   std::min(0.4 * dx, distance_to_segment(face.a, face.b, at) - 1e-9);
+          });
+      if (!clear) continue;
+      f.x[i] = to.x;
+      f.z[i] = to.z;
+    }
+  }
+  const double c2 = setup.numerics.sound_speed * setup.numerics.sound_speed;
+  for (std::size_t i = 0; i < setup.particles.size(); ++i) {
+    const Vec2 at{f.x[i], f.z[i]};
+    const double below = tank.surface - dot(up, at);
+    setup.particles[i] = {
+        at.x, at.z, 0.0, 0.0, setup.material.density * (1.0 + gravity * below / c2), f.mass[i]};
+  }
+}
+
+// Errors of the forces over the sum of the forces' sizes on all plates of the barrier.
+void compare_forces(TankRun& r, const Hydrostatics& still, const std::vector<Vec2>& forces) {
+  Vec2 sum, exact_sum;
+  double scale = 0.0, worst = 0.0;
+  for (std::size_t k = 3; k < r.walls.size(); ++k) {
+    const Vec2 exact = still.force(r.walls[k]);
+    sum = sum + forces[k];
+    exact_sum = exact_sum + exact;
+    scale += norm(exact);
+    worst = std::max(worst, norm(forces[k] - exact));
+  }
+  if (scale == 0.0) return;
+  r.plates = 100.0 * worst / scale;
+  r.barrier = 100.0 * norm(sum - exact_sum) / scale;
+}
+
+}  // namespace
+
+TankRun computed(const Tank& tank, const CaseRun& run) {
+  FlowSetup setup = tank_setup(tank);
+  if (tank.barrier) pack(setup, tank);
+  const Hydrostatics still(tank, setup);
+  const double depth = still.depth(), speed = std::sqrt(gravity * depth);
+  const double scale = tank.material.density * gravity * depth;
+  TankRun r;
+  r.walls = setup.solids.faces;
+  Flow flow(std::move(setup));
+  Balance balance(flow);
+  std::vector<solver::BarrierImpulse> half;
+  double center_half = 0.0, center = 0.0;
+  const auto sample = [&](Flow& now) {
+    const Fluid& f = std::as_const(now).fluid();
+    const auto n = static_cast<std::size_t>(f.n);
+    double u2 = 0.0, largest = 0.0, p2 = 0.0, p_largest = 0.0, moment = 0.0, mass = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double s2 = f.u[i] * f.u[i] + f.w[i] * f.w[i];
+      const double dp = std::abs(f.pressure[i] - still.pressure({f.x[i], f.z[i]}));
+      u2 += s2;
+      largest = std::max(largest, s2);
+      p2 += dp * dp;
+      p_largest = std::max(p_largest, dp);
+      mass += f.mass[i];
+      moment += f.mass[i] * still.height({f.x[i], f.z[i]});
+    }
+    const double count = static_cast<double>(n);
+    r.time.push_back(now.time());
+    r.largest.push_back(100.0 * std::sqrt(largest) / speed);
+    r.rms.push_back(100.0 * std::sqrt(u2 / count) / speed);
+    r.pressure_rms.push_back(100.0 * std::sqrt(p2 / count) / scale);
+    r.pressure_largest.push_back(100.0 * p_largest / scale);
+    r.inside = std::max(r.inside, now.particles_inside_walls());
+    center = moment / mass;
+    if (half.empty() && now.time() > 0.5 * tank.time - 1e-9) {
+      half = balance.impulses();
+      center_half = center;
+    }
+    r.lasted = now.time();
+  };
+  try {
+    advance_sampled(flow, tank.time, 0.05, run, sample, &balance);
+    std::vector<Vec2> forces;
+    for (std::size_t k = 0; k < half.size(); ++k) {
+      forces.push_back((2.0 / tank.time) * (balance.impulses()[k].force - half[k].force));
+    }
+    compare_forces(r, still, forces);
+    r.drift = 100.0 * (center - center_half) / depth;
+  } catch (const std::runtime_error& error) {
+    r.failure = error.what();
+    r.lasted = flow.time();
+  }
+  const Fluid& f = std::as_const(flow).fluid();
+  r.speed = speed_panel(flow, tank.name);
+  for (double& s : r.speed.quantity) s *= 100.0 / speed;
+  r.pressure = r.speed;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    r.pressure.quantity[i] = 100.0 * (f.pressure[i] - still.pressure({f.x[i], f.z[i]})) / scale;
+  }
+  r.mass_change = balance.mass_change(flow);
+  r.momentum_error = 100.0 * balance.momentum_error(flow);
+  return r;
+}
+
+}  // namespace parapet::validation::tank_flows
