@@ -24,18 +24,13 @@ void Balance::add_step(Flow& flow) {
   impulse_ = impulse_ + (dt * now.mass) * flow.setup().gravity;
   scale_ =
       std::max({scale_, norm(now.momentum), now.mass * norm(flow.setup().gravity) * flow.time()});
-<<<<<<< HEAD
   last_ = flow.take_impulses();
-  for (const solver::BarrierImpulse& taken : last_) impulse_ = impulse_ - taken.force;
-=======
-  const std::vector<solver::BarrierImpulse> taken = flow.take_impulses();
-  impulses_.resize(taken.size());
-  for (std::size_t k = 0; k < taken.size(); ++k) {
-    impulse_ = impulse_ - taken[k].force;
-    impulses_[k].force = impulses_[k].force + taken[k].force;
-    impulses_[k].moment += taken[k].moment;
+  impulses_.resize(last_.size());
+  for (std::size_t k = 0; k < last_.size(); ++k) {
+    impulse_ = impulse_ - last_[k].force;
+    impulses_[k].force = impulses_[k].force + last_[k].force;
+    impulses_[k].moment += last_[k].moment;
   }
->>>>>>> cases-b
 }
 
 double Balance::mass_change(const Flow& flow) const {

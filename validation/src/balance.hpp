@@ -42,12 +42,9 @@ class Balance {
 
  private:
   Totals start_;
-  solver::Vec2 impulse_;  // of gravity and walls on the fluid [N s/m]
-<<<<<<< HEAD
-  std::vector<solver::BarrierImpulse> last_;
-=======
-  std::vector<solver::BarrierImpulse> impulses_;
->>>>>>> cases-b
+  solver::Vec2 impulse_;                          // of gravity and walls on the fluid [N s/m]
+  std::vector<solver::BarrierImpulse> last_;      // of the latest step
+  std::vector<solver::BarrierImpulse> impulses_;  // since the start
   double scale_ = 0.0, dissipated_ = 0.0;
 };
 

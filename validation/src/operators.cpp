@@ -70,13 +70,17 @@ Unity unity(int across, double smoothing, bool settled) {
   const solver::Kernel kernel = solver::make_kernel(h, operator_side / across);
   std::vector<double> sum(f.x.size());
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = kernel.alpha * f.volume[i];
-  Pairs(flow).for_each([&](std::size_t i, std::size_t j, Vec2, double r) {
+  std::vector<Vec2> gradient(sum.size());
+  Pairs(flow).for_each([&](std::size_t i, std::size_t j, Vec2 r_ij, double r) {
     sum[i] += kernel.alpha * solver::kernel_shape(r / h) * f.volume[j];
+    const double falloff = std::max(1.0 - 0.5 * r / h, 0.0);
+    const double factor = -kernel.f_scale * falloff * falloff * falloff * f.volume[j];
+    gradient[i] = gradient[i] + factor * r_ij;
   });
   const solver::GradientSums s = flow.fluid().gradient_sums();
   return {
       rms(f, [&](std::size_t i) { return sum[i] - 1.0; }),
-      h * rms(f, [&](std::size_t i) { return std::hypot(s.normal_x[i], s.normal_z[i]); }),
+      h * rms(f, [&](std::size_t i) { return norm(gradient[i]); }),
       rms(f, [&](std::size_t i) { return std::hypot(s.bxx[i] - 1.0, s.bxz[i], s.bzz[i] - 1.0); })};
 }
 

@@ -146,7 +146,7 @@ FlowSetup tank_setup(const Tank& tank) {
 }
 
 // Moves the particles until they surround each other and fill the corners evenly: against
-// sum grad W V, walls included, as far as the free surface does not reach (after Colagrossi et al.
+// the sum of Eq. 9, walls included, as far as the free surface does not reach (after Colagrossi et al.
 // 2012), never closer to a wall than 0.4 dx. A lattice cut by oblique plates leaves gaps, which a
 // fluid with a yield stress would keep.
 void pack(FlowSetup& setup, const Tank& tank) {
@@ -162,7 +162,7 @@ void pack(FlowSetup& setup, const Tank& tank) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
       const Vec2 at{f.x[i], f.z[i]};
       if (tank.surface - dot(up, at) < 2.0 * h) continue;
-      Vec2 step = (-0.15 * h * h) * Vec2{sums.normal_x[i], sums.normal_z[i]};
+      Vec2 step = (-0.15 * h * h) * Vec2{sums.shift_x[i], sums.shift_z[i]};
       const double size = norm(step), cap = 0.05 * dx;
       if (size > cap) step = (cap / size) * step;
       const Vec2 to = at + step;
