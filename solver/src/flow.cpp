@@ -156,11 +156,14 @@ bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<
   return outcome.converged;
 }
 
-void Flow::update_density_rate(std::vector<double>& rate, std::vector<double>& shift_ax,
-                               std::vector<double>& shift_az) {
+void Flow::update_density_rate(std::vector<double>& rate) {
   const FlowArrays a = arrays();
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
-    passes_.density_rate(a, rate.data(), shift_ax.data(), shift_az.data(), begin, end);
+    passes_.density_rate(a, rate.data(), begin, end);
+    for (std::size_t i = at(begin); i < at(end); ++i) {
+      rate[i] += fluid_.shift_u[i] * fluid_.density_grad_x[i] +
+                 fluid_.shift_w[i] * fluid_.density_grad_z[i];
+    }
   });
 }
 

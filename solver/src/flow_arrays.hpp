@@ -32,7 +32,6 @@ struct FluidView {
   const double* volume;     // m/rho [m2]
   const double* viscosity;  // apparent, with the quadrature correction of rheology.hpp [Pa s]
   const double* tic;        // +1, or -1 where the tensile-instability control acts
-  const double *shift_u, *shift_w;                // shifting velocity [m/s]
   const double *density_grad_x, *density_grad_z;  // renormalised [kg/m4]
 };
 

@@ -9,30 +9,36 @@ constexpr double far_away = 1e6;  // [m] no kernel reaches the ghost
 
 }  // namespace
 
+std::vector<std::vector<double>*> Fluid::arrays() {
+  return {&x,
+          &z,
+          &u,
+          &w,
+          &density,
+          &mass,
+          &pressure,
+          &volume,
+          &viscosity,
+          &shear_rate,
+          &quadrature,
+          &pair_viscosity,
+          &du,
+          &dw,
+          &lambda,
+          &closeness,
+          &tic,
+          &shift_u,
+          &shift_w,
+          &shift_ax,
+          &shift_az,
+          &density_grad_x,
+          &density_grad_z};
+}
+
 void Fluid::assign(std::span<const InitialParticle> particles) {
   n = static_cast<int>(particles.size());
   const std::size_t size = particles.size() + 1;
-  for (auto* array : {&x,
-                      &z,
-                      &u,
-                      &w,
-                      &density,
-                      &mass,
-                      &pressure,
-                      &volume,
-                      &viscosity,
-                      &shear_rate,
-                      &quadrature,
-                      &pair_viscosity,
-                      &du,
-                      &dw,
-                      &lambda,
-                      &closeness,
-                      &tic,
-                      &shift_u,
-                      &shift_w,
-                      &density_grad_x,
-                      &density_grad_z}) {
+  for (auto* array : arrays()) {
     array->assign(size, 0.0);
   }
   for (auto& sum : sums) sum.assign(size, 0.0);
@@ -54,27 +60,7 @@ void Fluid::assign(std::span<const InitialParticle> particles) {
 
 void Fluid::set_ghost() {
   const auto g = static_cast<std::size_t>(n);
-  for (auto* array : {&x,
-                      &z,
-                      &u,
-                      &w,
-                      &density,
-                      &mass,
-                      &pressure,
-                      &volume,
-                      &viscosity,
-                      &shear_rate,
-                      &quadrature,
-                      &pair_viscosity,
-                      &du,
-                      &dw,
-                      &lambda,
-                      &closeness,
-                      &tic,
-                      &shift_u,
-                      &shift_w,
-                      &density_grad_x,
-                      &density_grad_z}) {
+  for (auto* array : arrays()) {
     array->resize(g + 1);
     (*array)[g] = 0.0;
   }
@@ -99,33 +85,14 @@ void Fluid::permute(std::span<const std::int32_t> order) {
 }
 
 void Fluid::remove(std::span<const std::int32_t> indices) {
+  const std::vector<std::vector<double>*> all = arrays();
   std::size_t next = 0, kept = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
     if (next < indices.size() && indices[next] == static_cast<std::int32_t>(i)) {
       ++next;
       continue;
     }
-    for (auto* array : {&x,
-                        &z,
-                        &u,
-                        &w,
-                        &density,
-                        &mass,
-                        &pressure,
-                        &volume,
-                        &viscosity,
-                        &shear_rate,
-                        &quadrature,
-                        &pair_viscosity,
-                        &du,
-                        &dw,
-                        &lambda,
-                        &closeness,
-                        &tic,
-                        &shift_u,
-                        &shift_w,
-                        &density_grad_x,
-                        &density_grad_z}) {
+    for (auto* array : all) {
       (*array)[kept] = (*array)[i];
     }
     id[kept++] = id[i];
@@ -145,8 +112,6 @@ FluidView Fluid::view() const {
           volume.data(),
           pair_viscosity.data(),
           tic.data(),
-          shift_u.data(),
-          shift_w.data(),
           density_grad_x.data(),
           density_grad_z.data()};
 }

@@ -27,6 +27,7 @@ struct Fluid {
   std::vector<double> pair_viscosity;                  // viscosity x quadrature
   std::vector<double> lambda, closeness, tic;          // eigenvalue (Eq. 10), trace; control
   std::vector<double> shift_u, shift_w;                // Eq. 9-11
+  std::vector<double> shift_ax, shift_az;              // what the shifting does to u and w
   std::vector<double> density_grad_x, density_grad_z;  // Eq. 8
   std::vector<double> sums[18];                        // of the gradient pass
   std::vector<double> du, dw;                          // change in the last step (m/s)
@@ -42,6 +43,7 @@ struct Fluid {
 
  private:
   void set_ghost();
+  std::vector<std::vector<double>*> arrays();  // all but the sums and the ids
   std::vector<double> scratch_;
   std::vector<std::int32_t> scratch_id_;
 };

@@ -47,10 +47,10 @@ class ImplicitViscosity final : public TimeIntegrator {
       f.w = w_guess_;
     }
     flow.measure_barrier_load(dt);
-    flow.update_density_rate(rate_, ax_, az_);
+    flow.update_density_rate(rate_);
     for (std::size_t i = 0; i < n; ++i) {
-      f.u[i] += dt * ax_[i];
-      f.w[i] += dt * az_[i];
+      f.u[i] += dt * f.shift_ax[i];
+      f.w[i] += dt * f.shift_az[i];
       f.density[i] += dt * rate_[i];
       f.x[i] += dt * (f.u[i] + f.shift_u[i]);
       f.z[i] += dt * (f.w[i] + f.shift_w[i]);

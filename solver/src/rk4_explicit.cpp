@@ -36,18 +36,18 @@ class Rk4Explicit final : public TimeIntegrator {
   void derive(Flow& flow) {
     Fluid& f = flow.fluid();
     const auto n = static_cast<std::size_t>(f.n);
-    for (auto* a : {&slope_.u, &slope_.w, &slope_.density, &shift_ax_, &shift_az_}) {
+    for (auto* a : {&slope_.u, &slope_.w, &slope_.density}) {
       a->assign(n + 1, 0.0);
     }
     flow.update_gradients();
     flow.add_body_and_pressure_force(slope_.u, slope_.w);
     if (!flow.inviscid()) flow.add_viscous_force(slope_.u, slope_.w);
-    flow.update_density_rate(slope_.density, shift_ax_, shift_az_);
+    flow.update_density_rate(slope_.density);
     slope_.x.resize(n + 1);
     slope_.z.resize(n + 1);
     for (std::size_t i = 0; i < n; ++i) {
-      slope_.u[i] += shift_ax_[i];
-      slope_.w[i] += shift_az_[i];
+      slope_.u[i] += f.shift_ax[i];
+      slope_.w[i] += f.shift_az[i];
       slope_.x[i] = f.u[i] + f.shift_u[i];
       slope_.z[i] = f.w[i] + f.shift_w[i];
     }
@@ -75,7 +75,6 @@ class Rk4Explicit final : public TimeIntegrator {
   }
 
   State start_, slope_, sum_;
-  std::vector<double> shift_ax_, shift_az_;
 };
 
 }  // namespace

@@ -66,6 +66,8 @@ void finish_gradients(Fluid& f, const ShiftingSettings& settings, int begin, int
       du = tensor.solve(du);
       dw = tensor.solve(dw);
     }
+    f.shift_ax[k] = dot(shift, du);
+    f.shift_az[k] = dot(shift, dw);
     const double a = 0.5 * (du.x - dw.z), b = 0.5 * (du.z + dw.x);
     f.quadrature[k] = viscous_quadrature(s.moment_pp[i], s.moment_pq[i], s.moment_qq[i], a, b);
     // Not the modulus of the gradient above: the rate whose dissipation eta g^2 is that of the

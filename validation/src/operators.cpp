@@ -78,10 +78,10 @@ Unity unity(int across, double smoothing, bool settled) {
     gradient[i] = gradient[i] + factor * r_ij;
   });
   const solver::GradientSums s = flow.fluid().gradient_sums();
-  return {
-      rms(f, [&](std::size_t i) { return sum[i] - 1.0; }),
-      h * rms(f, [&](std::size_t i) { return norm(gradient[i]); }),
-      rms(f, [&](std::size_t i) { return std::hypot(s.bxx[i] - 1.0, s.bxz[i], s.bzz[i] - 1.0); })};
+  return {rms(f, [&](std::size_t i) { return sum[i] - 1.0; }),
+          h * rms(f, [&](std::size_t i) { return norm(gradient[i]); }), rms(f, [&](std::size_t i) {
+            return std::hypot(s.bxx[i] - 1.0, s.bxz[i], s.bzz[i] - 1.0);
+          })};
 }
 
 // Integral of W over its support, by the trapezoidal rule in r.
@@ -181,11 +181,11 @@ void add_density_diffusion(CaseRun& run, int across) {
   Flow flow(std::move(setup));
   evaluate(flow);
   Fluid& f = flow.fluid();
-  std::vector<double> rate(f.x.size()), shift_x = rate, shift_z = rate, plain = rate;
-  flow.update_density_rate(rate, shift_x, shift_z);
+  std::vector<double> rate(f.x.size()), plain = rate;
+  flow.update_density_rate(rate);
   std::fill(f.density_grad_x.begin(), f.density_grad_x.end(), 0.0);
   std::fill(f.density_grad_z.begin(), f.density_grad_z.end(), 0.0);
-  flow.update_density_rate(plain, shift_x, shift_z);
+  flow.update_density_rate(plain);
   double largest = 0.0, largest_plain = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     largest = std::max(largest, std::abs(rate[i]));

@@ -146,9 +146,9 @@ FlowSetup tank_setup(const Tank& tank) {
 }
 
 // Moves the particles until they surround each other and fill the corners evenly: against
-// the sum of Eq. 9, walls included, as far as the free surface does not reach (after Colagrossi et al.
-// 2012), never closer to a wall than 0.4 dx. A lattice cut by oblique plates leaves gaps, which a
-// fluid with a yield stress would keep.
+// the sum of Eq. 9, walls included, as far as the free surface does not reach (after Colagrossi et
+// al. 2012), never closer to a wall than 0.4 dx. A lattice cut by oblique plates leaves gaps, which
+// a fluid with a yield stress would keep.
 void pack(FlowSetup& setup, const Tank& tank) {
   const Vec2 up{-std::sin(tank.slope), std::cos(tank.slope)};
   Flow flow{FlowSetup(setup)};

@@ -23,12 +23,15 @@ TEST(DiscretisationError, FindsTheOrderAndTheLimitOfAPowerLaw) {
 }
 
 TEST(DiscretisationError, TakesAFactorOfThreeWhereValuesDoNotConverge) {
-  // up and down: first order fits the middle of the scatter
+  // up and down; by hand, the second order fits better than the first: slope -4/545 over h^2
   const std::vector<double> h{1.0, 1.5, 2.0}, values{1.0, 1.2, 1.0};
   const DiscretisationError error = discretisation_error(h, values);
   EXPECT_FALSE(error.order_observed);
-  // the fit is flat at 16/15: 3 x 1/15 + sqrt(2/75) + 1/15
-  EXPECT_NEAR(error.uncertainty, 4.0 / 15.0 + std::sqrt(2.0 / 75.0), 1e-12);
+  EXPECT_EQ(error.order, 2.0);
+  const double limit = 16.0 / 15.0 + 29.0 / 1635.0, fit = limit - 4.0 / 545.0;
+  EXPECT_NEAR(error.extrapolated, limit, 1e-12);
+  const double deviation = std::sqrt(2.0 / 75.0 - 2.0 / 8175.0);  // one degree of freedom
+  EXPECT_NEAR(error.uncertainty, 3.0 * (limit - 1.0) + deviation + (fit - 1.0), 1e-12);
 }
 
 TEST(DiscretisationError, IsZeroForEqualValuesAndNeedsThree) {
