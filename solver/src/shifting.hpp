@@ -25,7 +25,8 @@ struct ShiftingSettings {
   bool no_slip;
 };
 
-// Fills lambda, closeness, tic, shift_u/w, density_grad and shear_rate of particles [begin, end).
+// Fills lambda, closeness, tic, shift_u/w and what it does to the velocity (shift_ax/az),
+// density_grad and shear_rate of particles [begin, end).
 void finish_gradients(Fluid& fluid, const ShiftingSettings& settings, int begin, int end);
 
 }  // namespace parapet::solver
