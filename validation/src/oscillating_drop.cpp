@@ -219,7 +219,9 @@ void add_rows(CaseRun& run, const Drop& drop, const Swing& s, double exact, bool
            .lower = -2.0,
            .upper = 2.0,
            .reason = "the fluid is compressed by p/(rho c^2) < 0.5 % and by what the continuity "
-                     "equation gathers in errors"});
+                     "equation gathers in errors",
+           .explanation = "shifting spreads the particles below the surface outwards and the "
+                          "density takes no notice (docs/theory.md)"});
   run.add(
       {.key = "spin",
        .what = fmt::format("{}: largest angular momentum over sum m |r x u| of the start", at),

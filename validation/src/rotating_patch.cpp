@@ -267,7 +267,8 @@ void add_finest(CaseRun& run, const Square& square, const Patch& patch) {
                     "the exact patch stays whole; the last half per cent are the corners' "
                     "tips, thinner than a particle"};
   if (whole.verdict() == Verdict::missed)
-    whole.explanation = "more of the tips is thinner than a particle at this spacing";
+    whole.explanation =
+        "the surface is under tension and its particles are not shifted: it frays (see the text)";
   run.add(whole);
   run.add({.key = "whole_end",
            .what = at + ": mass in the largest piece at omega t = 4",

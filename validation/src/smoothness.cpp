@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "barrier_runs.hpp"
@@ -24,15 +25,31 @@ struct Sweep {
   std::vector<solver::Result> repeats;  // of the middle design
 };
 
+// A run that fails is a recorded result: all its metrics are absent.
+solver::Result recorded(const SingleBarrier& design, const solver::Numerics& numerics,
+                        const CaseRun& run) {
+  try {
+    return simulated(scene_of(design), numerics, run);
+  } catch (const std::runtime_error& error) {
+    solver::Result failed;
+    failed.status = solver::Status::failed;
+    failed.reason = error.what();
+    return failed;
+  }
+}
+
 // Standard deviation of a metric between the repeats.
 double scatter_of(const Sweep& sweep, const JudgedMetric& judged) {
-  double sum = 0.0, square = 0.0;
-  const auto n = static_cast<double>(sweep.repeats.size());
-  for (const solver::Result& r : sweep.repeats) sum += judged.scale * metric(r, judged.key);
+  double sum = 0.0, square = 0.0, n = 0.0;
+  std::vector<double> values;
   for (const solver::Result& r : sweep.repeats) {
-    const double off = judged.scale * metric(r, judged.key) - sum / n;
-    square += off * off;
+    const double value = judged.scale * metric(r, judged.key);
+    if (!std::isfinite(value)) continue;
+    values.push_back(value);
+    sum += value;
+    n += 1.0;
   }
+  for (const double value : values) square += (value - sum / n) * (value - sum / n);
   return std::sqrt(square / (n - 1.0));
 }
 
@@ -137,22 +154,34 @@ void smoothness(CaseRun& run) {
     for (std::size_t k = 0; k < sweep->x.size() + n_repeats; ++k) tasks.emplace_back(sweep, k);
   }
   solver::Numerics numerics;
-  numerics.spacing = run.full() ? 0.01 : 0.025;
+  numerics.spacing = run.full() ? 0.01 : 0.02;
   run.side_by_side(
       tasks.size(),
       [&](std::size_t t) {
         const auto [sweep, k] = tasks[t];
         if (k < sweep->x.size()) {
-          sweep->results[k] = simulated(scene_of(sweep->designs[k]), numerics, run);
+          sweep->results[k] = recorded(sweep->designs[k], numerics, run);
           return;
         }
         solver::Numerics jittered = numerics;
         jittered.lattice_jitter = 0.01;
         jittered.lattice_seed = static_cast<unsigned>(k);
         sweep->repeats[k - sweep->x.size()] =
-            simulated(scene_of(sweep->designs[sweep->x.size() / 2]), jittered, run);
+            recorded(sweep->designs[sweep->x.size() / 2], jittered, run);
       },
       std::vector<double>(tasks.size(), run.full() ? 3.0 : 0.2));
+  int failed = 0;
+  for (const Sweep* sweep : {&angles, &heights}) {
+    for (const auto* results : {&sweep->results, &sweep->repeats}) {
+      for (const solver::Result& r : *results) failed += r.status != solver::Status::ok;
+    }
+  }
+  run.add({.key = "failed",
+           .what = fmt::format("runs that failed, of {}", tasks.size()),
+           .value = static_cast<double>(failed),
+           .upper = 0.0,
+           .reason = "every design can be computed",
+           .explanation = "single particles run away where the flow is one or two particles deep"});
   for (const Sweep* sweep : {&angles, &heights}) {
     for (const JudgedMetric& judged : judged_metrics) judge(run, *sweep, judged);
   }

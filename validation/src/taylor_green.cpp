@@ -245,13 +245,18 @@ void add_rows(CaseRun& run, std::span<const Vortices> flows, std::span<const Dec
   if (spacings.size() >= 3) {
     order.lower = 0.8;
     order.reason = "the pressure forces of disordered particles err in the first power of dx";
+    order.explanation =
+        "presumably: shifting raises the mean pressure of the closed box, and with it the forces "
+        "of disorder, "
+        "the more the finer the particles";
   }
   run.add(order);
   run.add({.key = fmt::format("closest_{}", re),
            .what = at + ": smallest distance of two particles at any time, over dx",
            .value = d.closest,
            .lower = 0.5 * 1.33,
-           .reason = "h/2, where the kernel's slope is largest: closer pairs would stay together"});
+           .reason = "h/2, where the kernel's slope is largest: closer pairs would stay together",
+           .explanation = "pairs pass each other that close where the flow stretches most"});
   run.add({.key = fmt::format("spread_{}", re),
            .what = at + ": standard deviation of sum W V, worst over time",
            .value = 100.0 * d.spread,
