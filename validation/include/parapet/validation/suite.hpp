@@ -49,7 +49,8 @@ struct Page {
 };
 
 /// The pages of the suite, made of the scorecards in `folder` and the texts that the library holds:
-/// README.md, and CASE.md for each case that has a scorecard. Every figure comes from the scorecards.
+/// README.md, and CASE.md for each case that has a scorecard. Every figure comes from the
+/// scorecards.
 /// @throws std::invalid_argument where a scorecard cannot be read or a page asks for a figure that
 ///         no scorecard has.
 std::vector<Page> pages(const std::filesystem::path& folder);
