@@ -43,7 +43,7 @@ void add_peaks(CaseRun& run, const std::vector<Group>& spacings, const Lobovsky&
            .reason = "as for the depths"});
   const std::string tip =
       "single particles of the thin tip strike at the sound speed of the computation and the water "
-      "rings; the runs scatter by as much as they exceed the band";
+      "rings after it";
   const std::string jet =
       "the computed jet is thin and smooth up here, the real one thick with air and spray";
   for (std::size_t s = 0; s < 4; ++s) {
