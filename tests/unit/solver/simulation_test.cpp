@@ -97,7 +97,9 @@ TEST(Flow, SprayIsNotUnderTension) {
   for (int k = 0; k < 100; ++k) {
     ASSERT_FALSE(flow.step(1.0));
     // the first step knows nothing of the neighbours yet; with tension they would turn back
-    if (k == 20) EXPECT_LT(flow.fluid().density[0], rho * (1.0 - 1e-3));
+    if (k == 20) {
+      EXPECT_LT(flow.fluid().density[0], rho * (1.0 - 1e-3));
+    }
   }
   EXPECT_NEAR(flow.fluid().u[1], 1.0, 1e-9);
   EXPECT_DOUBLE_EQ(flow.fluid().density[0], rho) << "out of each other's reach";
