@@ -156,15 +156,12 @@ bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<
   return outcome.converged;
 }
 
-void Flow::update_density_rate(std::vector<double>& rate) {
+void Flow::update_density_rate() {
   const FlowArrays a = arrays();
-  for_blocks(fluid_.n, threads(), [&](int begin, int end) {
-    passes_.density_rate(a, rate.data(), begin, end);
-    for (std::size_t i = at(begin); i < at(end); ++i) {
-      rate[i] += fluid_.shift_u[i] * fluid_.density_grad_x[i] +
-                 fluid_.shift_w[i] * fluid_.density_grad_z[i];
-    }
-  });
+  const ShiftedRates rates{fluid_.density_rate.data(), fluid_.mass_rate.data(),
+                           fluid_.exchange_x.data(), fluid_.exchange_z.data()};
+  for_blocks(fluid_.n, threads(),
+             [&](int begin, int end) { passes_.density_rate(a, rates, begin, end); });
 }
 
 std::optional<Failure> Flow::check_state() {

@@ -92,8 +92,8 @@ class Flow {
   void add_viscous_force(std::vector<double>& ax, std::vector<double>& az);
   bool solve_viscosity(const std::vector<double>& u_star, const std::vector<double>& w_star,
                        std::vector<double>& u, std::vector<double>& w, double dt);
-  void update_density_rate(std::vector<double>& rate);  // Eq. 6-7, with the shifting
-  void measure_barrier_load(double dt);                 // adds to the impulses
+  void update_density_rate();            // Eq. 6-7, with the shifting
+  void measure_barrier_load(double dt);  // adds to the impulses
   int threads() const { return setup_.threads; }
   bool inviscid() const;
 

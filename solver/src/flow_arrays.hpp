@@ -31,8 +31,8 @@ struct FluidView {
   const double* pressure;   // [Pa]
   const double* volume;     // m/rho [m2]
   const double* viscosity;  // apparent, with the quadrature correction of rheology.hpp [Pa s]
-  const double* tic;        // +1, or -1 where the tensile-instability control acts
   const double *density_grad_x, *density_grad_z;  // renormalised [kg/m4]
+  const double *shift_u, *shift_w;                // shifting velocity [m/s]
 };
 
 struct WallView {
@@ -56,6 +56,13 @@ struct GradientSums {
   double* approach2;                          // sum (u_ij . r_ij)^2 |F| V_j/r^2 [1/s2]
   double *moment_pp, *moment_pq, *moment_qq;  // sum p^2, p q, q^2 |F| V_j/r^2 with p = x^2 - z^2,
                                               // q = 2 x z of r_ij, over what shears the particle
+};
+
+// What the density pass finds, [n_fluid] each.
+struct ShiftedRates {
+  double* density;                  // d rho/dt [kg/m3/s]
+  double* mass;                     // dm/dt [kg/m/s]
+  double *exchange_x, *exchange_z;  // m du/dt from the mass that shifting exchanges [N/m]
 };
 
 struct FlowConstants {

@@ -26,11 +26,12 @@ std::vector<std::vector<double>*> Fluid::arrays() {
           &dw,
           &lambda,
           &closeness,
-          &tic,
           &shift_u,
           &shift_w,
-          &shift_ax,
-          &shift_az,
+          &density_rate,
+          &mass_rate,
+          &exchange_x,
+          &exchange_z,
           &density_grad_x,
           &density_grad_z};
 }
@@ -111,9 +112,10 @@ FluidView Fluid::view() const {
           pressure.data(),
           volume.data(),
           pair_viscosity.data(),
-          tic.data(),
           density_grad_x.data(),
-          density_grad_z.data()};
+          density_grad_z.data(),
+          shift_u.data(),
+          shift_w.data()};
 }
 
 GradientSums Fluid::gradient_sums() {

@@ -25,9 +25,10 @@ struct Fluid {
   std::vector<double> viscosity, shear_rate;           // rheology (Eq. 13-15)
   std::vector<double> quadrature;                      // correction of the viscous sum
   std::vector<double> pair_viscosity;                  // viscosity x quadrature
-  std::vector<double> lambda, closeness, tic;          // eigenvalue (Eq. 10), trace; control
+  std::vector<double> lambda, closeness;               // eigenvalue (Eq. 10), trace
   std::vector<double> shift_u, shift_w;                // Eq. 9-11
-  std::vector<double> shift_ax, shift_az;              // what the shifting does to u and w
+  std::vector<double> density_rate, mass_rate;         // Eq. 6-7, with the shifting
+  std::vector<double> exchange_x, exchange_z;          // momentum that comes with the mass
   std::vector<double> density_grad_x, density_grad_z;  // Eq. 8
   std::vector<double> sums[18];                        // of the gradient pass
   std::vector<double> du, dw;                          // change in the last step (m/s)

@@ -17,7 +17,7 @@ class ImplicitViscosity final : public TimeIntegrator {
   std::optional<Failure> advance(Flow& flow, double dt) override {
     Fluid& f = flow.fluid();
     const auto n = static_cast<std::size_t>(f.n);
-    for (auto* a : {&ax_, &az_, &u_star_, &w_star_, &rate_}) a->assign(n + 1, 0.0);
+    for (auto* a : {&ax_, &az_, &u_star_, &w_star_}) a->assign(n + 1, 0.0);
     flow.update_gradients();
     flow.add_body_and_pressure_force(ax_, az_);
     for (std::size_t i = 0; i < n; ++i) {
@@ -47,11 +47,12 @@ class ImplicitViscosity final : public TimeIntegrator {
       f.w = w_guess_;
     }
     flow.measure_barrier_load(dt);
-    flow.update_density_rate(rate_);
+    flow.update_density_rate();
     for (std::size_t i = 0; i < n; ++i) {
-      f.u[i] += dt * f.shift_ax[i];
-      f.w[i] += dt * f.shift_az[i];
-      f.density[i] += dt * rate_[i];
+      f.mass[i] += dt * f.mass_rate[i];
+      f.u[i] += dt * f.exchange_x[i] / f.mass[i];
+      f.w[i] += dt * f.exchange_z[i] / f.mass[i];
+      f.density[i] += dt * f.density_rate[i];
       f.x[i] += dt * (f.u[i] + f.shift_u[i]);
       f.z[i] += dt * (f.w[i] + f.shift_w[i]);
     }
@@ -59,7 +60,7 @@ class ImplicitViscosity final : public TimeIntegrator {
   }
 
  private:
-  std::vector<double> ax_, az_, u_star_, w_star_, u_guess_, w_guess_, rate_;
+  std::vector<double> ax_, az_, u_star_, w_star_, u_guess_, w_guess_;
 };
 
 }  // namespace

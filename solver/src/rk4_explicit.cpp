@@ -5,7 +5,7 @@ namespace parapet::solver {
 namespace {
 
 struct State {
-  std::vector<double> x, z, u, w, density;
+  std::vector<double> x, z, u, w, density, mass;
 };
 
 class Rk4Explicit final : public TimeIntegrator {
@@ -15,11 +15,12 @@ class Rk4Explicit final : public TimeIntegrator {
 
   std::optional<Failure> advance(Flow& flow, double dt) override {
     Fluid& f = flow.fluid();
-    start_ = {f.x, f.z, f.u, f.w, f.density};
+    start_ = {f.x, f.z, f.u, f.w, f.density, f.mass};
     static constexpr double next_stage[] = {0.5, 0.5, 1.0, 0.0};
     static constexpr double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     const auto n = static_cast<std::size_t>(f.n);
-    for (auto* a : {&sum_.x, &sum_.z, &sum_.u, &sum_.w, &sum_.density}) a->assign(n + 1, 0.0);
+    for (auto* a : {&sum_.x, &sum_.z, &sum_.u, &sum_.w, &sum_.density, &sum_.mass})
+      a->assign(n + 1, 0.0);
     for (int stage = 0; stage < 4; ++stage) {
       if (stage > 0) flow.update_pressure();
       derive(flow);
@@ -36,18 +37,18 @@ class Rk4Explicit final : public TimeIntegrator {
   void derive(Flow& flow) {
     Fluid& f = flow.fluid();
     const auto n = static_cast<std::size_t>(f.n);
-    for (auto* a : {&slope_.u, &slope_.w, &slope_.density}) {
-      a->assign(n + 1, 0.0);
-    }
+    for (auto* a : {&slope_.u, &slope_.w}) a->assign(n + 1, 0.0);
     flow.update_gradients();
     flow.add_body_and_pressure_force(slope_.u, slope_.w);
     if (!flow.inviscid()) flow.add_viscous_force(slope_.u, slope_.w);
-    flow.update_density_rate(slope_.density);
+    flow.update_density_rate();
+    slope_.density = f.density_rate;
+    slope_.mass = f.mass_rate;
     slope_.x.resize(n + 1);
     slope_.z.resize(n + 1);
     for (std::size_t i = 0; i < n; ++i) {
-      slope_.u[i] += f.shift_ax[i];
-      slope_.w[i] += f.shift_az[i];
+      slope_.u[i] += f.exchange_x[i] / f.mass[i];
+      slope_.w[i] += f.exchange_z[i] / f.mass[i];
       slope_.x[i] = f.u[i] + f.shift_u[i];
       slope_.z[i] = f.w[i] + f.shift_w[i];
     }
@@ -60,6 +61,7 @@ class Rk4Explicit final : public TimeIntegrator {
       sum.u[i] += weight * slope_.u[i];
       sum.w[i] += weight * slope_.w[i];
       sum.density[i] += weight * slope_.density[i];
+      sum.mass[i] += weight * slope_.mass[i];
     }
   }
 
@@ -71,6 +73,7 @@ class Rk4Explicit final : public TimeIntegrator {
       f.u[i] = start_.u[i] + dt * slope.u[i];
       f.w[i] = start_.w[i] + dt * slope.w[i];
       f.density[i] = start_.density[i] + dt * slope.density[i];
+      f.mass[i] = start_.mass[i] + dt * slope.mass[i];
     }
   }
 

@@ -9,7 +9,7 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double lambda_interior = 0.90;  // Eq. 10: above it the surface is out of reach
+constexpr double lambda_interior = 0.90;  // Eq. 10: above it the edge of the fluid is out of reach
 
 // Below this the tensor says too little about the neighbourhood to be inverted: a lone pair or a
 // thread of particles has an eigenvalue near zero.
@@ -27,12 +27,13 @@ struct Symmetric {
   }
 };
 
-// Not within reach of a free surface, where Eq. 10 keeps the tangential part: there the sum is the
-// hole of the missing neighbours, along the normal and at the cap of half the largest speed. What
-// is left across it after the projection is no measure of disorder, and the transport terms that
-// belong to it tear the tip of a thin front apart.
-Vec2 shifting_velocity(Vec2 sum, double lambda, const ShiftingSettings& s) {
-  if (lambda <= lambda_interior || s.factor == 0.0) return {};
+// Only where the fluid alone fills the support. At a free surface, where Eq. 10 keeps the
+// tangential part, the sum is the hole of the missing neighbours, along the normal and at the cap
+// of half the largest speed: what is left across it after the projection is no measure of disorder.
+// At a wall the mass that a shifted particle leaves behind finds no neighbour to take it, and its
+// weight would be lifted for nothing.
+Vec2 shifting_velocity(Vec2 sum, double fluid_lambda, const ShiftingSettings& s) {
+  if (fluid_lambda <= lambda_interior || s.factor == 0.0) return {};
   const Vec2 shift = (-2.0 * s.smoothing_length * s.max_speed * s.factor) * sum;  // Eq. 9
   const double size = norm(shift), cap = 0.5 * s.max_speed;
   return size > cap && size > 0.0 ? (cap / size) * shift : shift;  // Eq. 11
@@ -46,17 +47,15 @@ void finish_gradients(Fluid& f, const ShiftingSettings& settings, int begin, int
     const auto k = static_cast<std::size_t>(i);
     const Symmetric all{s.bxx[i], s.bxz[i], s.bzz[i]};
     const Symmetric fluid{s.fluid_bxx[i], s.fluid_bxz[i], s.fluid_bzz[i]};
-    const double lambda = all.smallest_eigenvalue();
-    f.lambda[k] = lambda;
+    const double fluid_lambda = fluid.smallest_eigenvalue();
+    f.lambda[k] = all.smallest_eigenvalue();
     f.closeness[k] = s.bxx[i] + s.bzz[i];
-    const Vec2 shift = shifting_velocity({s.shift_x[i], s.shift_z[i]}, lambda, settings);
+    const Vec2 shift = shifting_velocity({s.shift_x[i], s.shift_z[i]}, fluid_lambda, settings);
     f.shift_u[k] = shift.x;
     f.shift_w[k] = shift.z;
-    f.tic[k] = f.pressure[k] < 0.0 && lambda > lambda_interior ? -1.0 : 1.0;
 
     const Vec2 density_sum{s.density_x[i], s.density_z[i]};
-    const Vec2 gradient =
-        fluid.smallest_eigenvalue() > lambda_invertible ? fluid.solve(density_sum) : Vec2{};
+    const Vec2 gradient = fluid_lambda > lambda_invertible ? fluid.solve(density_sum) : Vec2{};
     f.density_grad_x[k] = gradient.x;
     f.density_grad_z[k] = gradient.z;
 
@@ -66,8 +65,6 @@ void finish_gradients(Fluid& f, const ShiftingSettings& settings, int begin, int
       du = tensor.solve(du);
       dw = tensor.solve(dw);
     }
-    f.shift_ax[k] = dot(shift, du);
-    f.shift_az[k] = dot(shift, dw);
     const double a = 0.5 * (du.x - dw.z), b = 0.5 * (du.z + dw.x);
     f.quadrature[k] = viscous_quadrature(s.moment_pp[i], s.moment_pq[i], s.moment_qq[i], a, b);
     // Not the modulus of the gradient above: the rate whose dissipation eta g^2 is that of the

@@ -59,14 +59,14 @@ void add_balance(CaseRun& run, const std::string& key, const std::string& of,
            .value = balance.mass_change(flow),
            .lower = -1e-12,
            .upper = 1e-12,
-           .reason = "particles keep their mass; the sum rounds"});
+           .reason = "particles exchange mass in opposite and equal parts; the sum rounds"});
   run.add({.key = key + "_momentum",
            .what = of + ": momentum not explained by gravity and wall forces",
            .value = 100.0 * balance.momentum_error(flow),
            .unit = "%",
            .upper = 1.0,
-           .reason = "pair forces are opposite and equal but for the densities in the shifting "
-                     "terms and the lag of the wall's velocity; share of the impulse of gravity"});
+           .reason = "pair forces and what shifting exchanges are opposite and equal; the wall's "
+                     "velocity lags by a step; share of the impulse of gravity"});
 }
 
 }  // namespace parapet::validation

@@ -308,16 +308,14 @@ void add_budget(CaseRun& run) {
              .value = budgets[k].mass,
              .lower = -1e-12,
              .upper = 1e-12,
-             .reason = "particles keep their mass; the sum rounds"});
+             .reason = "particles exchange mass in opposite and equal parts; the sum rounds"});
     run.add({.key = key("momentum"),
              .what = of + ": momentum not explained by gravity and wall forces",
              .value = 100.0 * budgets[k].momentum,
              .unit = "%",
              .upper = 1.0,
-             .reason = "share of the impulse of gravity; pair forces are opposite and equal",
-             .explanation =
-                 "but for those of the tensile-instability control, which turns the sign "
-                 "of one side, and the shifting terms"});
+             .reason = "share of the impulse of gravity; pair forces and what shifting "
+                       "exchanges are opposite and equal"});
     run.add(
         {.key = key("numerical"),
          .what =

@@ -139,15 +139,15 @@ void add_balances(CaseRun& run, const Group& finest) {
            .value = r.balance->mass_change(*r.flow),
            .lower = -1e-12,
            .upper = 1e-12,
-           .reason = "particles keep their mass; the sum rounds"});
+           .reason = "particles exchange mass in opposite and equal parts; the sum rounds"});
   run.add({.key = "momentum",
            .what = fmt::format("{}, whole run: momentum not explained by gravity and wall forces",
                                finest.name),
            .value = 100.0 * r.balance->momentum_error(*r.flow),
            .unit = "%",
            .upper = 1.0,
-           .reason = "share of the impulse of gravity",
-           .explanation = "the shifting's, see water_column; it falls with the spacing"});
+           .reason = "share of the impulse of gravity; pair forces and what shifting exchanges are "
+                     "opposite and equal"});
   run.add(
       {.key = "energy_before",
        .what = fmt::format("{}, before the impact: energy lost but not dissipated by viscosity, "
@@ -158,8 +158,7 @@ void add_balances(CaseRun& run, const Group& finest) {
        .lower = -0.5,
        .upper = 2.0,
        .reason = "nothing breaks yet: density diffusion and shifting must take little and give "
-                 "nothing",
-       .explanation = "the shifting's, see water_column"});
+                 "nothing"});
   run.add({.key = "energy_end",
            .what = "the same at t* = 8, after impact and breaking",
            .value = 100.0 * r.loss_at_end,

@@ -181,11 +181,12 @@ void add_density_diffusion(CaseRun& run, int across) {
   Flow flow(std::move(setup));
   evaluate(flow);
   Fluid& f = flow.fluid();
-  std::vector<double> rate(f.x.size()), plain = rate;
-  flow.update_density_rate(rate);
+  flow.update_density_rate();
+  const std::vector<double> rate = f.density_rate;
   std::fill(f.density_grad_x.begin(), f.density_grad_x.end(), 0.0);
   std::fill(f.density_grad_z.begin(), f.density_grad_z.end(), 0.0);
-  flow.update_density_rate(plain);
+  flow.update_density_rate();
+  const std::vector<double>& plain = f.density_rate;
   double largest = 0.0, largest_plain = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     largest = std::max(largest, std::abs(rate[i]));

@@ -219,9 +219,7 @@ void add_rows(CaseRun& run, const Drop& drop, const Swing& s, double exact, bool
            .lower = -2.0,
            .upper = 2.0,
            .reason = "the fluid is compressed by p/(rho c^2) < 0.5 % and by what the continuity "
-                     "equation gathers in errors",
-           .explanation = "shifting spreads the particles below the surface outwards and the "
-                          "density takes no notice (docs/theory.md)"});
+                     "equation gathers in errors"});
   run.add(
       {.key = "spin",
        .what = fmt::format("{}: largest angular momentum over sum m |r x u| of the start", at),
@@ -234,8 +232,8 @@ void add_rows(CaseRun& run, const Drop& drop, const Swing& s, double exact, bool
            .value = 100.0 * s.drift,
            .unit = "%",
            .upper = 1.0,
-           .reason = "pair forces are opposite and equal but for the shifting terms and the "
-                     "tensile-instability control"});
+           .reason = "pair forces and what shifting exchanges are opposite and equal; only the "
+                     "lever of the mass exchanged is not quite the shift"});
 }
 
 }  // namespace

@@ -217,13 +217,8 @@ void add_spin(CaseRun& run, const Square& square, const Patch& patch, const std:
   if (judged) {
     m.upper = 1.0;
     m.reason =
-        "pair forces are central; only shifting and the tensile-instability control, whose "
-        "terms are not, may move it";
-    if (m.verdict() == Verdict::missed)
-      m.explanation =
-          "shifting moves mass that keeps its particle's momentum (without it less is "
-          "lost, but the patch is torn apart); later the control of the tensile "
-          "instability switches in pieces a few particles thick";
+        "pair forces are central; only the mass that shifting exchanges between neighbours "
+        "at a distance may move it";
   }
   run.add(m);
 }
@@ -246,8 +241,8 @@ void add_finest(CaseRun& run, const Square& square, const Patch& patch) {
            .value = 100.0 * patch.momentum,
            .unit = "%",
            .upper = 1.0,
-           .reason = "none at the start; pair forces are opposite and equal but for the shifting "
-                     "terms and the tensile-instability control"});
+           .reason = "none at the start; pair forces and what shifting exchanges are opposite and "
+                     "equal"});
   run.add({.key = "energy",
            .what = at + ": change of kinetic and elastic energy until omega t = 4",
            .value = 100.0 * patch.energy.back(),

@@ -66,8 +66,7 @@ void add_tank(CaseRun& run, const Tank& tank, const TankRun& r) {
   const char* shaken = tank.barrier
                            ? "at convex corners wall points come into sight and vanish one by one; "
                              "each jump is a force of several times the weight"
-                           : "sound and eddies that the start stirs up and nothing damps; shifting "
-                             "presses particles against the walls unnoticed by the density";
+                           : "sound and eddies that the start stirs up and nothing damps";
   const char* still_why =
       "a lattice of h/dx = 1.33 that nothing moves carries 0.979 of a "
       "pressure gradient, whatever the spacing; around a barrier the packed particles add their "

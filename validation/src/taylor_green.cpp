@@ -246,9 +246,7 @@ void add_rows(CaseRun& run, std::span<const Vortices> flows, std::span<const Dec
     order.lower = 0.8;
     order.reason = "the pressure forces of disordered particles err in the first power of dx";
     order.explanation =
-        "presumably: shifting raises the mean pressure of the closed box, and with it the forces "
-        "of disorder, "
-        "the more the finer the particles";
+        "the forces of disorder grow with the mean pressure, which differs between the spacings";
   }
   run.add(order);
   run.add({.key = fmt::format("closest_{}", re),
@@ -268,8 +266,8 @@ void add_rows(CaseRun& run, std::span<const Vortices> flows, std::span<const Dec
            .value = 100.0 * d.momentum,
            .unit = "%",
            .upper = 1.0,
-           .reason = "nothing pushes along free-slip walls; only the shifting terms and the "
-                     "unevenness of wall points move it"});
+           .reason = "nothing pushes along free-slip walls; only the unevenness of wall "
+                     "points moves it"});
   run.add({.key = fmt::format("numerical_{}", re),
            .what = at + ": share of the energy lost that viscosity did not dissipate",
            .value = 100.0 * d.numerical,

@@ -216,16 +216,15 @@ void water_column(CaseRun& run) {
            .value = finest.mass_change,
            .lower = -1e-12,
            .upper = 1e-12,
-           .reason = "particles keep their mass; the sum rounds"});
+           .reason = "particles exchange mass in opposite and equal parts; the sum rounds"});
   const auto add_momentum = [&](const std::string& key, const std::string& of, double error) {
     run.add({.key = key,
              .what = "momentum not explained by gravity and wall forces, " + of,
              .value = 100.0 * error,
              .unit = "%",
              .upper = 1.0,
-             .reason = "share of the impulse of gravity",
-             .explanation = "the shifting term -u div(rho du) of particles with constant masses is "
-                            "not opposite and equal; without shifting the balance closes (below)"});
+             .reason = "share of the impulse of gravity; pair forces and what shifting exchanges "
+                       "are opposite and equal"});
   };
   for (std::size_t k = 0; k < runs.size(); ++k) {
     add_momentum(k == last ? std::string("momentum_finest") : fmt::format("momentum_{}", across[k]),
@@ -245,7 +244,7 @@ void water_column(CaseRun& run) {
              .upper = 3.0,
              .reason = "nothing breaks here: what density diffusion and shifting take must be "
                        "small and never be given",
-             .explanation = "the shifting takes or gives it; see the row without"});
+             .explanation = "see the row without shifting for its part"});
   };
   add_energy("energy", fmt::format("{} over the depth", across.back()), finest.numerical_share);
   add_energy("energy_coarser", fmt::format("{} over the depth", across[last - 1]),

@@ -84,7 +84,7 @@ void Recorder::sample(Flow& flow) {
   const auto loads = loads_.read();
   for (std::size_t k = 0; k < g_.lines.size(); ++k) {
     if (arrival_[k] < 0.0 && mass_share_at_line(g_, g_.lines[k], f) >= 0.005) arrival_[k] = time;
-    row.push_back(retention_efficiency(g_, g_.lines[k], f));
+    row.push_back(retention_efficiency(g_, g_.lines[k], f, flow.left_mass()));
     row.push_back(run_up_height(g_, g_.lines[k], f));
     row.push_back(loads[k].force.x);
     row.push_back(loads[k].force.z);

@@ -11,12 +11,14 @@ constexpr double arrival_depth = 0.020;      // [m]
 
 }  // namespace
 
-double retention_efficiency(const GaugeScene& g, const BarrierLine& line, const Fluid& f) {
-  double upstream = 0.0;
+double retention_efficiency(const GaugeScene& g, const BarrierLine& line, const Fluid& f,
+                            double left_mass) {
+  // what has passed, not what is upstream: 1 to the bit while nothing has
+  double passed = left_mass;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-    if (line.offset({f.x[i], f.z[i]}) < 0.0) upstream += f.mass[i];
+    if (line.offset({f.x[i], f.z[i]}) >= 0.0) passed += f.mass[i];
   }
-  return upstream / g.released_mass;
+  return 1.0 - passed / g.released_mass;
 }
 
 double run_up_height(const GaugeScene& g, const BarrierLine& line, const Fluid& f) {

@@ -7,7 +7,8 @@
 namespace parapet::solver {
 
 // Mass upstream of a line over the mass released; material that has left the domain is downstream.
-double retention_efficiency(const GaugeScene& g, const BarrierLine& line, const Fluid& fluid);
+double retention_efficiency(const GaugeScene& g, const BarrierLine& line, const Fluid& fluid,
+                            double left_mass);
 
 // Height above the bed that 0.1 % of the released mass exceeds within 40 mm upstream of the line;
 // 0 while there is less than that [m].

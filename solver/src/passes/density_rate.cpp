@@ -1,5 +1,10 @@
-// Density rate of Eq. 6 with the delta diffusion of Eq. 7 (Antuono et al. 2010). What the shifting
-// changes is added particle by particle (shifting.hpp).
+// Density rate of Eq. 6 with the delta diffusion of Eq. 7 (Antuono et al. 2010), and what the
+// shifting du exchanges between the particles (after Antuono et al. 2021, J. Comput. Phys. 436,
+// 110263: delta-ALE-SPH). A particle that moves with u + du leaves mass behind and takes other:
+//   dm_i/dt = V_i sum f_ij,  f_ij = (rho_i du_i + rho_j du_j) . grad W V_j,
+// opposite and equal for the pair; the mass carries the pair's mean velocity, which keeps the
+// momentum and, in the sum over a pair, the kinetic energy. The volume follows the motion,
+// dV/dt = V <div(u + du)>.
 #include "pair_geometry.hpp"
 #include "passes.hpp"
 
@@ -7,23 +12,32 @@ namespace parapet::solver::PARAPET_ISA {
 namespace {
 
 template <bool periodic>
-void rate_of(const FlowArrays& a, double* rate, int begin, int end) {
+void rates_of(const FlowArrays& a, const ShiftedRates& out, int begin, int end) {
   const FlowConstants& c = a.constants;
   const FluidView& f = a.fluid;
   const v8d zero = splat(0.0);
   for (int i = begin; i < end; ++i) {
-    v8d divergence = zero, diffusion = zero;
+    v8d divergence = zero, diffusion = zero, flux = zero, ex = zero, ez = zero, spread = zero;
     const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), rho_i = splat(f.density[i]);
+    const v8d shift_x = splat(f.shift_u[i]), shift_z = splat(f.shift_w[i]);
+    const v8d carried_x = rho_i * shift_x, carried_z = rho_i * shift_z;
     const v8d grad_x = splat(f.density_grad_x[i]), grad_z = splat(f.density_grad_z[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
       const v8d fv = g.f * gather(f.volume, j);
-      divergence += fv * ((gather(f.u, j) - ui) * g.rx + (gather(f.w, j) - wi) * g.rz);
+      const v8d du = gather(f.u, j) - ui, dw = gather(f.w, j) - wi, rho_j = gather(f.density, j);
+      divergence += fv * (du * g.rx + dw * g.rz);
+      const v8d sx = gather(f.shift_u, j), sz = gather(f.shift_w, j);
+      spread += fv * ((sx - shift_x) * g.rx + (sz - shift_z) * g.rz);
+      const v8d pair = fv * ((carried_x + rho_j * sx) * g.rx + (carried_z + rho_j * sz) * g.rz);
+      flux += pair;
+      ex += pair * du;
+      ez += pair * dw;
       // (r_j - r_i) . grad W / r^2 = -F
       const v8d along = (grad_x + gather(f.density_grad_x, j)) * g.rx +
                         (grad_z + gather(f.density_grad_z, j)) * g.rz;
-      diffusion -= (splat(2.0) * (gather(f.density, j) - rho_i) + along) * fv;
+      diffusion -= (splat(2.0) * (rho_j - rho_i) + along) * fv;
     }
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
@@ -34,16 +48,22 @@ void rate_of(const FlowArrays& a, double* rate, int begin, int end) {
       const v8d nx = gather(a.wall.normal_x, k), nz = gather(a.wall.normal_z, k);
       const v8d across = (ui - gather(a.wall.u, k)) * nx + (wi - gather(a.wall.w, k)) * nz;
       divergence -= g.f * gather(a.wall.volume, k) * across * (nx * g.rx + nz * g.rz);
+      spread -= splat(2.0) * g.f * gather(a.wall.volume, k) * (shift_x * g.rx + shift_z * g.rz);
     }
-    rate[i] = -f.density[i] * sum_lanes(divergence) +
-              c.density_diffusion * c.smoothing_length * c.sound_speed * sum_lanes(diffusion);
+    const double fluxes = sum_lanes(flux);
+    out.density[i] =
+        -f.density[i] * (sum_lanes(divergence) + sum_lanes(spread)) + fluxes +
+        c.density_diffusion * c.smoothing_length * c.sound_speed * sum_lanes(diffusion);
+    out.mass[i] = f.volume[i] * fluxes;
+    out.exchange_x[i] = 0.5 * f.volume[i] * sum_lanes(ex);
+    out.exchange_z[i] = 0.5 * f.volume[i] * sum_lanes(ez);
   }
 }
 
 }  // namespace
 
-void density_rate(const FlowArrays& a, double* rate, int begin, int end) {
-  PARAPET_PASS(rate_of, a, rate, begin, end);
+void density_rate(const FlowArrays& a, const ShiftedRates& rates, int begin, int end) {
+  PARAPET_PASS(rates_of, a, rates, begin, end);
 }
 
 }  // namespace parapet::solver::PARAPET_ISA

@@ -18,7 +18,7 @@ struct PassTable {
   // Viscous part of Eq. 6, added to ax, az.
   void (*viscous_force)(const FlowArrays&, double* ax, double* az, int begin, int end);
   // Density rate of Eq. 6-7 without the shifting.
-  void (*density_rate)(const FlowArrays&, double* density_rate, int begin, int end);
+  void (*density_rate)(const FlowArrays&, const ShiftedRates&, int begin, int end);
   void (*viscous_matrix)(const FlowArrays&, const ViscousView&, int begin, int end);
   // y = A v over the fluid.
   void (*viscous_product)(const FlowArrays&, const ViscousView&, const double* vx, const double* vz,

@@ -9,7 +9,7 @@ void extrapolate_walls(const FlowArrays& a, int begin, int end);
 void gradient_sums(const FlowArrays& a, const GradientSums& sums, int begin, int end);
 void pressure_force(const FlowArrays& a, double* ax, double* az, int begin, int end);
 void viscous_force(const FlowArrays& a, double* ax, double* az, int begin, int end);
-void density_rate(const FlowArrays& a, double* rate, int begin, int end);
+void density_rate(const FlowArrays& a, const ShiftedRates& rates, int begin, int end);
 void viscous_matrix(const FlowArrays& a, const ViscousView& v, int begin, int end);
 void viscous_product(const FlowArrays& a, const ViscousView& v, const double* vx, const double* vz,
                      double* yx, double* yz, int begin, int end);

@@ -16,6 +16,10 @@ namespace {
 
 constexpr double dx = 0.01, h = 1.33 * dx;
 
+struct Rates {
+  std::vector<double> density, mass, exchange_x, exchange_z;
+};
+
 // Five particles placed by hand plus 40 at random, far from any wall.
 struct Cloud {
   Fluid fluid;
@@ -40,7 +44,6 @@ struct Cloud {
       fluid.pressure[k] = 1225.0 * (fluid.density[k] - 1000.0);
       fluid.volume[k] = fluid.mass[k] / fluid.density[k];
       fluid.pair_viscosity[k] = 1.0 + i;
-      fluid.tic[k] = i % 3 == 0 ? -1.0 : 1.0;
       fluid.shift_u[k] = 0.01 * i;
       fluid.shift_w[k] = -0.02 * i;
       fluid.density_grad_x[k] = 3.0 * i;
@@ -52,6 +55,15 @@ struct Cloud {
       while (index.size() % lanes != 0) index.push_back(fluid.n);
       end.push_back(static_cast<std::int32_t>(index.size()));
     }
+  }
+
+  Rates rates() const {
+    Rates r;
+    for (auto* a : {&r.density, &r.mass, &r.exchange_x, &r.exchange_z}) a->resize(begin.size());
+    best_passes().density_rate(
+        arrays(), {r.density.data(), r.mass.data(), r.exchange_x.data(), r.exchange_z.data()}, 0,
+        fluid.n);
+    return r;
   }
 
   FlowArrays arrays() const {
@@ -92,7 +104,7 @@ TEST(Passes, PressureForceIsEquation6WithTensileControl) {
   for (std::size_t i = 0; i < 5; ++i) {
     Vec2 sum;
     cloud.for_neighbors(i, [&](std::size_t j, Vec2 r, double fv) {
-      sum = sum + (f.pressure[j] + f.tic[i] * f.pressure[i]) * fv * r;
+      sum = sum + (f.pressure[j] + f.pressure[i]) * fv * r;
     });
     EXPECT_NEAR(ax[i], -sum.x / f.density[i], 1e-9 * std::abs(ax[i]) + 1e-12);
     EXPECT_NEAR(az[i], -sum.z / f.density[i], 1e-9 * std::abs(az[i]) + 1e-12);
@@ -133,26 +145,56 @@ TEST(Passes, ViscousPairForcesKeepBothMomenta) {
   EXPECT_LT(std::abs(spin), 1e-13 * size * 0.03);        // lever arms up to 0.03 m
 }
 
-TEST(Passes, DensityRateIsEquations6And7WithoutShifting) {
+TEST(Passes, DensityRateIsEquations6And7WithWhatShiftingExchanges) {
   const Cloud cloud;
   const Fluid& f = cloud.fluid;
-  std::vector<double> rate(static_cast<std::size_t>(f.n));
-  best_passes().density_rate(cloud.arrays(), rate.data(), 0, f.n);
+  const Rates rates = cloud.rates();
   for (std::size_t i = 0; i < 5; ++i) {
-    double expected = 0.0, diffusion = 0.0;
-    const Vec2 ui{f.u[i], f.w[i]};
+    double expected = 0.0, diffusion = 0.0, flux = 0.0;
+    Vec2 exchange{};
+    const Vec2 ui{f.u[i], f.w[i]}, shift_i{f.shift_u[i], f.shift_w[i]};
     cloud.for_neighbors(i, [&](std::size_t j, Vec2 r, double fv) {
-      const Vec2 uj{f.u[j], f.w[j]}, grad = fv * r;
-      expected += -f.density[i] * dot(uj - ui, grad);
+      const Vec2 uj{f.u[j], f.w[j]}, grad = fv * r, shift_j{f.shift_u[j], f.shift_w[j]};
+      expected += -f.density[i] * dot(uj + shift_j - ui - shift_i, grad);
+      const double pair = dot(f.density[i] * shift_i + f.density[j] * shift_j, grad);
+      flux += pair;
+      exchange = exchange + (0.5 * pair * f.volume[i]) * (uj - ui);
       const Vec2 slopes{f.density_grad_x[i] + f.density_grad_x[j],
                         f.density_grad_z[i] + f.density_grad_z[j]};
       const Vec2 rji = -1.0 * r;
       diffusion +=
           (2.0 * (f.density[j] - f.density[i]) - dot(slopes, rji)) * dot(rji, grad) / dot(r, r);
     });
-    expected += 0.1 * h * 35.0 * diffusion;
-    EXPECT_NEAR(rate[i], expected, 1e-9 * std::abs(expected));
+    expected += flux + 0.1 * h * 35.0 * diffusion;
+    EXPECT_NEAR(rates.density[i], expected, 1e-9 * std::abs(expected));
+    EXPECT_NEAR(rates.mass[i], f.volume[i] * flux, 1e-9 * std::abs(f.volume[i] * flux));
+    EXPECT_NEAR(rates.exchange_x[i], exchange.x, 1e-9 * norm(exchange));
+    EXPECT_NEAR(rates.exchange_z[i], exchange.z, 1e-9 * norm(exchange));
   }
+}
+
+TEST(Passes, ShiftingKeepsMassMomentumAndKineticEnergy) {
+  const Cloud cloud;
+  const Fluid& f = cloud.fluid;
+  const Rates rates = cloud.rates();
+  double mass = 0.0, px = 0.0, energy = 0.0, mass_size = 0.0, px_size = 0.0, energy_size = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    // d(m u)/dt = u dm/dt + m du/dt
+    const double momentum_rate = f.u[i] * rates.mass[i] + rates.exchange_x[i];
+    const double speed2 = f.u[i] * f.u[i] + f.w[i] * f.w[i];
+    const double energy_rate =
+        0.5 * speed2 * rates.mass[i] + f.u[i] * rates.exchange_x[i] + f.w[i] * rates.exchange_z[i];
+    mass += rates.mass[i];
+    px += momentum_rate;
+    energy += energy_rate;
+    mass_size += std::abs(rates.mass[i]);
+    px_size += std::abs(momentum_rate);
+    energy_size += std::abs(energy_rate);
+  }
+  ASSERT_GT(std::min({mass_size, px_size, energy_size}), 0.0);
+  EXPECT_LT(std::abs(mass), 1e-13 * mass_size);  // rounding alone, here and below
+  EXPECT_LT(std::abs(px), 1e-13 * px_size);
+  EXPECT_LT(std::abs(energy), 1e-13 * energy_size);
 }
 
 TEST(Passes, EveryInstructionSetGivesTheSameBits) {
@@ -163,11 +205,12 @@ TEST(Passes, EveryInstructionSetGivesTheSameBits) {
   for (const char* name : {"x86_64", "x86_64_v3", "x86_64_v4"}) {
     const PassTable* table = find_passes(name);
     if (table == nullptr) continue;  // this machine cannot run it
-    std::vector<double> all(5 * n, 0.0);
+    std::vector<double> all(8 * n, 0.0);
     double* p = all.data();
     table->pressure_force(cloud.arrays(), p, p + n, 0, cloud.fluid.n);
     table->viscous_force(cloud.arrays(), p + 2 * n, p + 3 * n, 0, cloud.fluid.n);
-    table->density_rate(cloud.arrays(), p + 4 * n, 0, cloud.fluid.n);
+    table->density_rate(cloud.arrays(), {p + 4 * n, p + 5 * n, p + 6 * n, p + 7 * n}, 0,
+                        cloud.fluid.n);
     if (reference.empty()) reference = all;
     EXPECT_EQ(all, reference) << name;
     ++compared;
