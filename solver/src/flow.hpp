@@ -13,6 +13,7 @@
 #include "parapet/solver/numerics.hpp"
 #include "parapet/solver/result.hpp"
 #include "passes/pass_table.hpp"
+#include "stage_timer.hpp"
 #include "viscous_solve.hpp"
 #include "wall_layout.hpp"
 
@@ -34,6 +35,7 @@ struct FlowSetup {
   double outlet_x = 1e9, ceiling_z = 1e9;  // material beyond has left [m]
   const PassTable* passes = nullptr;       // nullptr: the fastest
   int threads = 1;
+  StageTimer* timer = nullptr;  // told what the time goes into; nullptr: nobody wants to know
 };
 
 struct Failure {
