@@ -96,6 +96,7 @@ class Flow {
                        std::vector<double>& u, std::vector<double>& w, double dt);
   void update_density_rate(std::vector<double>& rate);  // Eq. 6-7, with the shifting
   void measure_barrier_load(double dt);                 // adds to the impulses
+  FlowArrays arrays();                                  // what the passes see
   int threads() const { return setup_.threads; }
   bool inviscid() const;
 
@@ -103,7 +104,6 @@ class Flow {
   std::optional<Failure> check_state();
   void stop_at_walls();
   void remove_departed();
-  FlowArrays arrays();
 
   FlowSetup setup_;
   const PassTable& passes_;
