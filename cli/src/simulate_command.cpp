@@ -14,6 +14,7 @@
 #include "parapet/study/hashes.hpp"
 #include "parapet/study/thread_count.hpp"
 #include "picture_moments.hpp"
+#include "profile_text.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
 #include "spec_files.hpp"
@@ -32,6 +33,7 @@ struct SimulateOptions : CommonOptions {
   std::vector<double> picture_times_s;
   std::optional<int> threads;
   bool uncertainty = false;
+  bool profile = false;
 };
 
 /// Frames and picture of one run, fed by the solver's callback.
@@ -153,7 +155,8 @@ void write_result(const Session& session, const designs::CaseSpec& spec,
 }
 
 int simulate_command(const Session& session, const SimulateOptions& options) {
-  const designs::CaseSpec spec = read_case(options.spec, options.spacing_mm);
+  designs::CaseSpec spec = read_case(options.spec, options.spacing_mm);
+  spec.run.profile = options.profile;
   const std::filesystem::path folder = output_folder(options, spec.name, "simulate");
   reports::make_folder(folder);
   const study::FolderLock lock(folder);
@@ -176,6 +179,7 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
              solver::to_string(result.status), solver::to_string(result.stop_reason),
              result.stop_time, result.statistics.steps, duration_text(result.statistics.wall_time),
              metrics_text(result.metrics), folder.string());
+  if (result.profile) fmt::print("{}", profile_text(*result.profile, result.statistics));
   if (result.status == solver::Status::ok) return exit_done;
   session.log->error("the run failed: {}", result.reason);
   return exit_failed;
@@ -199,6 +203,8 @@ void add_simulate(CLI::App& app, Session& session) {
       "--uncertainty", options->uncertainty,
       "Give each metric its numerical uncertainty (95 %), from eight further runs at 1.4 "
       "and 2 times the particle spacing, with jittered lattices; 2.7 times the cost");
+  verb->add_flag("--profile", options->profile,
+                 "Print which part of the solver took how long (also in result.json, timing)");
   verb->add_flag("--frames", options->frames, "Write particle frames for ParaView into DIR/frames");
   verb->add_option("--frame-interval-s", options->frame_interval_s,
                    "Interval of the frames in seconds (default: the case's, or 0.05)")

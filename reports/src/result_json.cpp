@@ -36,6 +36,37 @@ Json statistics_json(const solver::RunStatistics& statistics) {
   return json;
 }
 
+Json profile_json(const solver::Profile& profile) {
+  Json stages = Json::array();
+  const double whole = profile.seconds();
+  for (const solver::StageTime& stage : profile.stages) {
+    Json entry;
+    entry["stage"] = stage.name;
+    entry["seconds"] = stage.seconds;
+    entry["share"] = whole > 0.0 ? stage.seconds / whole : 0.0;
+    entry["calls"] = stage.calls;
+    if (stage.pairs > 0) entry["directed_pairs"] = stage.pairs;
+    stages.push_back(std::move(entry));
+  }
+  Json json;
+  json["seconds"] = whole;
+  json["stages"] = std::move(stages);
+  json["steps_limited_by"] = {{"acoustic", profile.steps_acoustic},
+                              {"acceleration", profile.steps_acceleration},
+                              {"viscous", profile.steps_viscous}};
+  json["step_shortening"] = profile.step_shortening;
+  json["fluid_neighbors_mean"] = profile.fluid_neighbors;
+  json["wall_neighbors_mean"] = profile.wall_neighbors;
+  json["slots_per_pair"] = profile.slots_per_pair;
+  return json;
+}
+
+Json timing_json(const solver::Result& result, int threads) {
+  Json json = {{"wall_time_s", result.statistics.wall_time}, {"threads", threads}};
+  if (result.profile) json["profile"] = profile_json(*result.profile);
+  return json;
+}
+
 }  // namespace
 
 Json metrics_json(const solver::Result& result) {
@@ -121,7 +152,7 @@ Json result_json(const std::string& name, const solver::Result& result, const Js
   json["mass"] = mass_json(result.mass);
   json["statistics"] = statistics_json(result.statistics);
   json["provenance"] = provenance;
-  json["timing"] = {{"wall_time_s", result.statistics.wall_time}, {"threads", threads}};
+  json["timing"] = timing_json(result, threads);
   json["case"] = resolved;
   return json;
 }

@@ -92,12 +92,18 @@ FlowArrays Flow::arrays() {
 }
 
 void Flow::prepare_neighbors() {
+  const StageScope check(setup_.timer, Stage::neighbor_check);
   if (!rows_.outdated(fluid_)) return;
+  const StageScope build(setup_.timer, Stage::neighbor_rows);
   rows_.build(fluid_, threads());
   ++statistics_.neighbor_builds;
+  if (setup_.timer == nullptr) return;
+  const StageScope profiling(setup_.timer, Stage::profiling);
+  setup_.timer->set_pairs(count_pairs(arrays()));
 }
 
 void Flow::update_pressure() {
+  const StageScope scope(setup_.timer, Stage::equation_of_state);
   const double c2 = setup_.numerics.sound_speed * setup_.numerics.sound_speed;
   const double rho_0 = setup_.material.density;
   for (std::size_t i = 0; i < at(fluid_.n); ++i) {
@@ -112,9 +118,13 @@ void Flow::update_pressure() {
 }
 
 void Flow::update_gradients() {
+  const StageScope scope(setup_.timer, Stage::gradients);
   const FlowArrays a = arrays();
-  for_blocks(a.rows.n_active, threads(),
-             [&](int begin, int end) { passes_.extrapolate_walls(a, begin, end); });
+  {
+    const StageScope walls(setup_.timer, Stage::wall_boundary);
+    for_blocks(a.rows.n_active, threads(),
+               [&](int begin, int end) { passes_.extrapolate_walls(a, begin, end); });
+  }
   const ShiftingSettings settings{smoothing_length(), max_speed_, setup_.numerics.shifting_factor,
                                   a.constants.no_slip};
   const GradientSums sums = fluid_.gradient_sums();
@@ -129,6 +139,7 @@ void Flow::update_gradients() {
 }
 
 void Flow::add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az) {
+  const StageScope scope(setup_.timer, Stage::pressure_force);
   const FlowArrays a = arrays();
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     passes_.pressure_force(a, ax.data(), az.data(), begin, end);
@@ -140,6 +151,7 @@ void Flow::add_body_and_pressure_force(std::vector<double>& ax, std::vector<doub
 }
 
 void Flow::add_viscous_force(std::vector<double>& ax, std::vector<double>& az) {
+  const StageScope scope(setup_.timer, Stage::viscous_force);
   const FlowArrays a = arrays();
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     passes_.viscous_force(a, ax.data(), az.data(), begin, end);
@@ -148,15 +160,18 @@ void Flow::add_viscous_force(std::vector<double>& ax, std::vector<double>& az) {
 
 bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<double>& w_star,
                            std::vector<double>& u, std::vector<double>& w, double dt) {
+  const StageScope scope(setup_.timer, Stage::conjugate_gradients);
   const ViscousSolve::Settings settings{setup_.numerics.cg_tolerance,
-                                        setup_.numerics.cg_max_iterations, threads()};
+                                        setup_.numerics.cg_max_iterations, threads(), setup_.timer};
   const auto outcome =
       viscous_.solve(passes_, arrays(), fluid_, u_star, w_star, u, w, dt, settings);
   statistics_.cg_iterations += outcome.iterations;
+  if (setup_.timer) setup_.timer->add_visits(Stage::conjugate_gradients, outcome.iterations);
   return outcome.converged;
 }
 
 void Flow::update_density_rate() {
+  const StageScope scope(setup_.timer, Stage::density_rate);
   const FlowArrays a = arrays();
   const ShiftedRates rates{fluid_.density_rate.data(), fluid_.mass_rate.data(),
                            fluid_.exchange_x.data(), fluid_.exchange_z.data()};
@@ -218,6 +233,7 @@ void Flow::refresh() {
 }
 
 std::optional<Failure> Flow::step(double longest) {
+  const StageScope scope(setup_.timer, Stage::step_control);
   if (statistics_.steps == 0) {
     update_pressure();
     if (auto failure = check_state()) return failure;
@@ -232,22 +248,28 @@ std::optional<Failure> Flow::step(double longest) {
   }
   const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic
                                                         : integrator_->default_acoustic_cfl();
-  const double stable =
-      stable_time_step(setup_.numerics, {smoothing_length(), max_speed_, max_acceleration_,
-                                         max_viscosity, setup_.material.density, cfl});
+  const TimeStepInput input{smoothing_length(),      max_speed_, max_acceleration_, max_viscosity,
+                            setup_.material.density, cfl};
+  const double stable = stable_time_step(setup_.numerics, input);
   if (!(stable > shortest_step)) {
     return Failure{StopReason::time_step_collapse,
                    "the stable time step fell to " + std::to_string(stable) + " s"};
   }
   // whole steps until `longest`, so that samples fall on their times without a tiny last step
   const double dt = longest / std::max(1.0, std::ceil(longest / stable - 1e-9));
+  if (setup_.timer) {
+    setup_.timer->count_step(deciding_limit(setup_.numerics, input), dt, stable);
+  }
   x_before_ = fluid_.x;
   z_before_ = fluid_.z;
   const std::vector<double>& u = fluid_.u;
   const std::vector<double>& w = fluid_.w;
   u_before_ = u;
   w_before_ = w;
-  if (auto failure = integrator_->advance(*this, dt)) return failure;
+  {
+    const StageScope advance(setup_.timer, Stage::integrate);
+    if (auto failure = integrator_->advance(*this, dt)) return failure;
+  }
   stop_at_walls();
   if (auto failure = check_state()) return failure;
   double a2 = 0.0;

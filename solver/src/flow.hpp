@@ -13,6 +13,7 @@
 #include "parapet/solver/numerics.hpp"
 #include "parapet/solver/result.hpp"
 #include "passes/pass_table.hpp"
+#include "stage_timer.hpp"
 #include "viscous_solve.hpp"
 #include "wall_layout.hpp"
 
@@ -34,6 +35,7 @@ struct FlowSetup {
   double outlet_x = 1e9, ceiling_z = 1e9;  // material beyond has left [m]
   const PassTable* passes = nullptr;       // nullptr: the fastest
   int threads = 1;
+  StageTimer* timer = nullptr;  // told what the time goes into; nullptr: nobody wants to know
 };
 
 struct Failure {
@@ -94,6 +96,7 @@ class Flow {
                        std::vector<double>& u, std::vector<double>& w, double dt);
   void update_density_rate();            // Eq. 6-7, with the shifting
   void measure_barrier_load(double dt);  // adds to the impulses
+  FlowArrays arrays();                   // what the passes see
   int threads() const { return setup_.threads; }
   bool inviscid() const;
 
@@ -101,7 +104,6 @@ class Flow {
   std::optional<Failure> check_state();
   void stop_at_walls();
   void remove_departed();
-  FlowArrays arrays();
 
   FlowSetup setup_;
   const PassTable& passes_;

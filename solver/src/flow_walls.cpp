@@ -20,6 +20,7 @@ Vec2 moment_center(const Solids& solids, const Face& face) {
 
 void Flow::measure_barrier_load(double dt) {
   if (impulses_.empty()) return;
+  const StageScope scope(setup_.timer, Stage::wall_load);
   const FlowArrays a = arrays();
   const std::int32_t* active = a.rows.active_wall;
   const auto first = static_cast<int>(
@@ -48,6 +49,7 @@ std::vector<BarrierImpulse> Flow::take_impulses() {
 }
 
 void Flow::stop_at_walls() {
+  const StageScope scope(setup_.timer, Stage::wall_contact);
   const WallContact contact{setup_.solids.faces, 0.02 * setup_.numerics.spacing};
   for (int i = 0; i < fluid_.n; ++i) {
     if (!rows_.touches_wall(i)) continue;

@@ -29,6 +29,7 @@ void require_sound_input(const Scene& scene, const Numerics& numerics, const Run
 
 void show_frame(Flow& flow, const Callbacks& callbacks) {
   if (!callbacks.on_frame) return;
+  const StageScope scope(flow.setup().timer, Stage::output);
   flow.refresh();
   const Fluid& f = std::as_const(flow).fluid();
   const auto n = static_cast<std::size_t>(f.n);
@@ -43,6 +44,7 @@ void show_frame(Flow& flow, const Callbacks& callbacks) {
 }
 
 Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std::string reason) {
+  const StageScope scope(flow.setup().timer, Stage::gauges);
   Result result;
   result.stop_reason = stop_reason;
   result.reason = std::move(reason);
@@ -91,7 +93,12 @@ Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Call
       options.frame_interval > 0.0
           ? std::max<std::int64_t>(1, whole(options.frame_interval, options.series_interval))
           : 0;
-  recorder.sample(flow);
+  StageTimer* timer = flow.setup().timer;
+  const auto gauge = [&](const auto& action) {
+    const StageScope scope(timer, Stage::gauges);
+    return action();
+  };
+  gauge([&] { recorder.sample(flow); });
   if (frame_every > 0) show_frame(flow, callbacks);
   for (std::int64_t sample = 1; sample <= samples; ++sample) {
     const double target = sample == samples ? options.stop_time
@@ -101,19 +108,21 @@ Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Call
         return {failure->stop_reason,
                 failure->reason + " at t = " + std::to_string(flow.time()) + " s"};
       }
-      recorder.after_step(flow);
+      gauge([&] { recorder.after_step(flow); });
       if (flow.fluid().n == 0) {
-        recorder.sample(flow);
+        gauge([&] { recorder.sample(flow); });
         return {StopReason::drained, ""};
       }
     }
-    recorder.sample(flow);
+    gauge([&] { recorder.sample(flow); });
     if (frame_every > 0 && sample % frame_every == 0) show_frame(flow, callbacks);
     if (callbacks.on_progress &&
         !callbacks.on_progress({flow.time(), options.stop_time, flow.statistics().steps})) {
       return {StopReason::cancelled, "cancelled"};
     }
-    if (recorder.settled(options.settled)) return {StopReason::settled, ""};
+    if (gauge([&] { return recorder.settled(options.settled); })) {
+      return {StopReason::settled, ""};
+    }
   }
   return {StopReason::end_time, ""};
 }
@@ -124,12 +133,16 @@ Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& 
                 const Callbacks& callbacks) {
   require_sound_input(scene, numerics, options);
   const auto start = std::chrono::steady_clock::now();
-  Flow flow(channel_setup(scene, numerics, options.threads));
+  StageTimer timer;
+  FlowSetup setup = channel_setup(scene, numerics, options.threads);
+  if (options.profile) setup.timer = &timer;
+  Flow flow(std::move(setup));
   Recorder recorder(scene, flow);
   Ending ending = run(flow, recorder, options, callbacks);
   Result result = finish(flow, recorder, ending.stop_reason, std::move(ending.reason));
   result.statistics.wall_time =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (options.profile) result.profile = timer.profile();
   return result;
 }
 

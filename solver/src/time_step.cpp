@@ -17,4 +17,14 @@ double stable_time_step(const Numerics& numerics, const TimeStepInput& in) {
   return dt;
 }
 
+TimeStepLimit deciding_limit(const Numerics& numerics, const TimeStepInput& in) {
+  TimeStepInput fewer = in;
+  fewer.max_acceleration = fewer.max_viscosity = 0.0;
+  const double dt = stable_time_step(numerics, in);
+  if (dt == stable_time_step(numerics, fewer)) return TimeStepLimit::acoustic;
+  fewer.max_acceleration = in.max_acceleration;
+  if (dt == stable_time_step(numerics, fewer)) return TimeStepLimit::acceleration;
+  return TimeStepLimit::viscous;
+}
+
 }  // namespace parapet::solver

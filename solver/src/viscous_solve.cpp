@@ -44,7 +44,11 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
   const int n = fluid.n, threads = settings.threads;
   resize(at(n), n > 0 ? at(arrays.rows.end[n - 1]) : 0);
   const ViscousView v = view(fluid, dt);
-  for_blocks(n, threads, [&](int begin, int end) { passes.viscous_matrix(arrays, v, begin, end); });
+  {
+    const StageScope scope(settings.timer, Stage::viscous_matrix);
+    for_blocks(n, threads,
+               [&](int begin, int end) { passes.viscous_matrix(arrays, v, begin, end); });
+  }
 
   // Block-Jacobi: z = D^-1 r; returns the partial sums of r.z and the largest acceleration error.
   const auto precondition = [&](int begin, int end) {

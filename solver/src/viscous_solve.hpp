@@ -6,6 +6,7 @@
 #include "fluid.hpp"
 #include "neighbor_rows.hpp"
 #include "passes/pass_table.hpp"
+#include "stage_timer.hpp"
 
 namespace parapet::solver {
 
@@ -15,6 +16,7 @@ class ViscousSolve {
     double tolerance;  // largest residual of any particle, as an acceleration [m/s2]
     int max_iterations;
     int threads;
+    StageTimer* timer = nullptr;
   };
   struct Outcome {
     bool converged = false;

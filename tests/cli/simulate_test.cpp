@@ -81,6 +81,36 @@ TEST(Simulate, FramesAndPictureChangeNoResult) {
   EXPECT_FALSE(std::filesystem::exists(folder / "plain/frames"));
 }
 
+TEST(Simulate, ProfilePrintsATableAndChangesNothingButTheTiming) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  std::vector<std::string> results;
+  Json profile;
+  for (const std::string out : {"plain", "measured"}) {
+    std::vector<std::string> arguments = {"simulate", "case.json", "--threads", "1", "--out", out};
+    if (out == "measured") arguments.push_back("--profile");
+    const Outcome outcome = run_program(folder.path(), arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    if (out == "plain") {
+      EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, "profile", outcome.out);
+    } else {
+      for (const char* part : {"profile\n", "M pairs/s", "pressure force", "conjugate gradients",
+                               "neighbour rows renewed", "limited by: sound speed in"}) {
+        EXPECT_PRED_FORMAT2(IsSubstring, part, outcome.out);
+      }
+    }
+    Json result = Json::parse(file_text(folder / out / "result.json"));
+    profile = result["timing"].value("profile", Json());
+    EXPECT_EQ(profile.is_null(), out == "plain");
+    result.erase("timing");
+    results.push_back(result.dump());
+  }
+  EXPECT_EQ(results[0], results[1]);
+  double share = 0.0;
+  for (const Json& stage : profile["stages"]) share += stage["share"].get<double>();
+  EXPECT_NEAR(share, 1.0, 1e-9);  // rounding alone
+}
+
 TEST(Simulate, FailedRunIsARecordedResultAndExitCodeOne) {
   const TemporaryFolder folder;
   Json spec = tiny_case();

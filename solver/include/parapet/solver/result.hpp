@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "parapet/solver/profile.hpp"
+
 namespace parapet::solver {
 
 /// A failed run is data, not an exception.
@@ -87,7 +89,7 @@ struct RunStatistics {
   double mean_time_step = 0.0;                  ///< [s]
   double max_speed = 0.0;                       ///< [m/s]
   double max_density_error = 0.0;               ///< max |rho/rho_0 - 1|
-  double wall_time = 0.0;  ///< [s]; the only field that may differ between repeats
+  double wall_time = 0.0;  ///< [s]; alone in that it may differ between repeats (and the profile)
 };
 
 struct Result {
@@ -99,6 +101,7 @@ struct Result {
   Series series;
   MassBalance mass;
   RunStatistics statistics;
+  std::optional<Profile> profile;  ///< when it was asked for
 
   /// The metric of that key, or nullptr.
   const Metric* find_metric(std::string_view key) const;

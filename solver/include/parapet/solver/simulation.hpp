@@ -26,6 +26,7 @@ struct RunOptions {
   double series_interval = 0.005;  ///< [s]
   double frame_interval = 0.0;     ///< [s]; 0 for no frames
   int threads = 1;                 ///< the answer does not depend on it
+  bool profile = false;            ///< measure where the time goes
   SettledRule settled;
 };
 

@@ -1,0 +1,136 @@
+#include "states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+namespace parapet::bench {
+
+using solver::Flow;
+using solver::FlowSetup;
+using solver::InitialParticle;
+
+solver::Scene h10_d45() {
+  solver::Scene scene;
+  solver::Barrier barrier;
+  barrier.deflector = solver::Deflector{std::numbers::pi / 4.0, 0.065};
+  scene.barriers = {barrier};
+  return scene;
+}
+
+solver::Numerics numerics_of(double spacing) {
+  solver::Numerics numerics;
+  numerics.spacing = spacing;
+  return numerics;
+}
+
+namespace {
+
+void take_step(Flow& flow, double longest) {
+  if (const auto failure = flow.step(longest)) throw std::runtime_error(failure->reason);
+}
+
+bool near_a_wall(const solver::Solids& solids, solver::Vec2 p, double distance) {
+  for (const solver::Face& face : solids.faces) {
+    if (solver::distance_to_segment(face.a, face.b, p) < distance) return true;
+  }
+  for (const solver::Body& body : solids.bodies) {
+    if (!body.outline.empty() && solver::inside_polygon(body.outline, p)) return true;
+  }
+  return p.x < 0.0 || p.z < 0.0;
+}
+
+// Velocity and density of the flow at any place: the kernel's mean over the particles of its rows'
+// owner `i` (Shepard), so that the fine particles find no steps where their parents meet.
+void interpolate(const solver::FlowArrays& a, int i, InitialParticle& p) {
+  double sum = 0.0, u = 0.0, w = 0.0, density = 0.0;
+  const auto add = [&](int j) {
+    const double q =
+        std::hypot(p.x - a.fluid.x[j], p.z - a.fluid.z[j]) * a.constants.kernel.inverse_h;
+    const double weight = solver::kernel_shape(q);
+    sum += weight;
+    u += weight * a.fluid.u[j];
+    w += weight * a.fluid.w[j];
+    density += weight * a.fluid.density[j];
+  };
+  add(i);
+  for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; ++s) add(a.rows.index[s]);
+  p.u = u / sum;
+  p.w = w / sum;
+  p.density = density / sum;
+}
+
+std::vector<InitialParticle> refined(Flow& flow, int refinement) {
+  flow.prepare_neighbors();
+  const solver::FlowArrays a = flow.arrays();
+  const solver::Fluid& f = std::as_const(flow).fluid();
+  const double dx = flow.setup().numerics.spacing, fine = dx / refinement;
+  std::vector<InitialParticle> particles;
+  for (int i = 0; i < f.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    InitialParticle p{f.x[k], f.z[k],       f.u[k],
+                      f.w[k], f.density[k], f.mass[k] / (refinement * refinement)};
+    for (int kx = 0; kx < refinement; ++kx) {
+      for (int kz = 0; kz < refinement; ++kz) {
+        p.x = f.x[k] - 0.5 * dx + (kx + 0.5) * fine;
+        p.z = f.z[k] - 0.5 * dx + (kz + 0.5) * fine;
+        if (refinement > 1 && near_a_wall(flow.solids(), {p.x, p.z}, 0.1 * fine)) continue;
+        if (refinement > 1) interpolate(a, i, p);
+        particles.push_back(p);
+      }
+    }
+  }
+  return particles;
+}
+
+}  // namespace
+
+void advance(Flow& flow, int steps) {
+  for (int k = 0; k < steps; ++k) take_step(flow, 1.0);
+}
+
+void advance_to(Flow& flow, double time) {
+  while (time - flow.time() > 1e-9) take_step(flow, time - flow.time());
+}
+
+void prepare(Flow& flow) {
+  flow.prepare_neighbors();
+  flow.update_pressure();
+  flow.update_gradients();
+}
+
+FlowSetup developed_flow(double spacing, double time, int refinement) {
+  Flow flow(solver::channel_setup(h10_d45(), numerics_of(spacing), 1));
+  advance_to(flow, time);
+  FlowSetup setup = solver::channel_setup(h10_d45(), numerics_of(spacing / refinement), 1);
+  setup.particles = refined(flow, refinement);
+  if (refinement == 1) return setup;
+  FlowSetup fresh = setup;
+  fresh.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  Flow fine(std::move(fresh));
+  advance(fine, std::min(200, 40 * refinement));
+  setup.particles = refined(fine, 1);
+  return setup;
+}
+
+FlowSetup box(int n) {
+  FlowSetup setup;
+  setup.numerics = numerics_of(0.005);
+  const double dx = setup.numerics.spacing;
+  setup.particles = solver::lattice_block(0.0, 0.0, n * dx, n * dx, dx, setup.material.density);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> offset(-0.2 * dx, 0.2 * dx), speed(-1.0, 1.0);
+  for (InitialParticle& p : setup.particles) {
+    p.x += offset(random);
+    p.z += offset(random);
+    p.u = speed(random);
+    p.w = speed(random);
+  }
+  return setup;
+}
+
+}  // namespace parapet::bench
