@@ -75,6 +75,7 @@ FlowArrays Flow::arrays() {
   c.gravity_x = setup_.gravity.x;
   c.gravity_z = setup_.gravity.z;
   c.periodic_length = setup_.periodic_length;
+  c.even_volume = numerics.spacing * numerics.spacing;
   c.no_slip = setup_.wall_slip == WallSlip::no_slip;
   const WallView wall{static_cast<int>(walls_.size()),
                       walls_.x.data(),

@@ -26,8 +26,10 @@ PARAPET_INLINE void add(const FlowConstants& c, Moments& m, const PairGeometry& 
   const v8d ratio = kernel_w(c.kernel, g.q, g.t) * splat(1.0 / c.kernel.w_at_spacing);
   const v8d ratio2 = ratio * ratio;
   const v8d weight = splat(1.0) + splat(0.2) * (ratio2 * ratio2);  // R = 0.2, n = 4
-  m.sx += weight * gx;
-  m.sz += weight * gz;
+  // Without V_j: particles are to be evenly spaced whatever mass they have come to carry.
+  const v8d even = weight * g.f;
+  m.sx += even * g.rx;
+  m.sz += even * g.rz;
   m.ux += du * gx;
   m.uz += du * gz;
   m.wx += dw * gx;
@@ -94,8 +96,8 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     out.bxx[i] = sum_lanes(m.bxx);
     out.bxz[i] = sum_lanes(m.bxz);
     out.bzz[i] = sum_lanes(m.bzz);
-    out.shift_x[i] = sum_lanes(m.sx);
-    out.shift_z[i] = sum_lanes(m.sz);
+    out.shift_x[i] = c.even_volume * sum_lanes(m.sx);
+    out.shift_z[i] = c.even_volume * sum_lanes(m.sz);
     out.ux[i] = sum_lanes(m.ux);
     out.uz[i] = sum_lanes(m.uz);
     out.wx[i] = sum_lanes(m.wx);
