@@ -33,6 +33,7 @@ struct FluidView {
   const double* viscosity;  // apparent, with the quadrature correction of rheology.hpp [Pa s]
   const double *density_grad_x, *density_grad_z;  // renormalised [kg/m4]
   const double *shift_u, *shift_w;                // shifting velocity [m/s]
+  const double* tic;  // +1, or -1 where the tensile-instability control acts
 };
 
 struct WallView {

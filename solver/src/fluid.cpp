@@ -28,6 +28,7 @@ std::vector<std::vector<double>*> Fluid::arrays() {
           &closeness,
           &shift_u,
           &shift_w,
+          &tic,
           &density_rate,
           &mass_rate,
           &exchange_x,
@@ -115,7 +116,8 @@ FluidView Fluid::view() const {
           density_grad_x.data(),
           density_grad_z.data(),
           shift_u.data(),
-          shift_w.data()};
+          shift_w.data(),
+          tic.data()};
 }
 
 GradientSums Fluid::gradient_sums() {

@@ -27,6 +27,7 @@ struct Fluid {
   std::vector<double> pair_viscosity;                  // viscosity x quadrature
   std::vector<double> lambda, closeness;               // eigenvalue (Eq. 10), trace
   std::vector<double> shift_u, shift_w;                // Eq. 9-11
+  std::vector<double> tic;                             // tensile-instability control: 1 or -1
   std::vector<double> density_rate, mass_rate;         // Eq. 6-7, with the shifting
   std::vector<double> exchange_x, exchange_z;          // momentum that comes with the mass
   std::vector<double> density_grad_x, density_grad_z;  // Eq. 8

@@ -51,6 +51,7 @@ void finish_gradients(Fluid& f, const ShiftingSettings& settings, int begin, int
     f.lambda[k] = all.smallest_eigenvalue();
     f.closeness[k] = s.bxx[i] + s.bzz[i];
     const Vec2 shift = shifting_velocity({s.shift_x[i], s.shift_z[i]}, fluid_lambda, settings);
+    f.tic[k] = f.pressure[k] < 0.0 && fluid_lambda > lambda_interior ? -1.0 : 1.0;
     f.shift_u[k] = shift.x;
     f.shift_w[k] = shift.z;
 

@@ -1,6 +1,6 @@
 // From the sums of the gradient pass to what the equations need, particle by particle:
 // renormalised gradients (Eq. 8), surface indicator and shifting velocity (Eq. 9-11), shear rate
-// (Eq. 13).
+// (Eq. 13) and the switch of the tensile-instability control.
 #pragma once
 
 #include "fluid.hpp"
@@ -25,7 +25,7 @@ struct ShiftingSettings {
   bool no_slip;
 };
 
-// Fills lambda, closeness, shift_u/w, density_grad and shear_rate of particles [begin, end).
+// Fills lambda, closeness, tic, shift_u/w, density_grad and shear_rate of particles [begin, end).
 void finish_gradients(Fluid& fluid, const ShiftingSettings& settings, int begin, int end);
 
 }  // namespace parapet::solver

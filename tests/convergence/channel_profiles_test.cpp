@@ -110,11 +110,10 @@ TEST(Poiseuille, NewtonianErrorFallsWithTheSpacing) {
     const double error =
         shown("Newtonian Poiseuille", across,
               poiseuille_error(newtonian(), across, Integrator::implicit_viscosity, 0.4));
-    // Measured 1.6, 0.7 and 0.5 %. The last step falls by 1.4 only: shifting raises the pressure of
-    // a closed channel (docs/theory.md), which the disorder of the particles feels.
+    // Measured 1.3, 0.5 and 0.2 %: a factor of 2.4 a step.
     EXPECT_LT(error, 0.02 * 10.0 / across);
     if (previous > 0.0) {
-      EXPECT_GT(previous / error, 1.25);
+      EXPECT_GT(previous / error, 1.5);
     }
     previous = error;
   }

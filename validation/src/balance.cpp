@@ -65,7 +65,8 @@ void add_balance(CaseRun& run, const std::string& key, const std::string& of,
            .value = 100.0 * balance.momentum_error(flow),
            .unit = "%",
            .upper = 1.0,
-           .reason = "pair forces and what shifting exchanges are opposite and equal; the wall's "
+           .reason = "pair forces (but for the tensile-instability control's) and what shifting "
+                     "exchanges are opposite and equal; the wall's "
                      "velocity lags by a step; share of the impulse of gravity"});
 }
 

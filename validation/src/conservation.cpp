@@ -314,7 +314,8 @@ void add_budget(CaseRun& run) {
              .value = 100.0 * budgets[k].momentum,
              .unit = "%",
              .upper = 1.0,
-             .reason = "share of the impulse of gravity; pair forces and what shifting "
+             .reason = "share of the impulse of gravity; pair forces, but for the "
+                       "tensile-instability control's, and what shifting "
                        "exchanges are opposite and equal"});
     run.add(
         {.key = key("numerical"),

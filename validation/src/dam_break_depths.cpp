@@ -146,7 +146,8 @@ void add_balances(CaseRun& run, const Group& finest) {
            .value = 100.0 * r.balance->momentum_error(*r.flow),
            .unit = "%",
            .upper = 1.0,
-           .reason = "share of the impulse of gravity; pair forces and what shifting exchanges are "
+           .reason = "share of the impulse of gravity; pair forces, but for the "
+                     "tensile-instability control's, and what shifting exchanges are "
                      "opposite and equal"});
   run.add(
       {.key = "energy_before",

@@ -232,7 +232,8 @@ void add_rows(CaseRun& run, const Drop& drop, const Swing& s, double exact, bool
            .value = 100.0 * s.drift,
            .unit = "%",
            .upper = 1.0,
-           .reason = "pair forces and what shifting exchanges are opposite and equal; only the "
+           .reason = "pair forces, but for the tensile-instability control's, and what shifting "
+                     "exchanges are opposite and equal; the "
                      "lever of the mass exchanged is not quite the shift"});
 }
 

@@ -217,8 +217,9 @@ void add_spin(CaseRun& run, const Square& square, const Patch& patch, const std:
   if (judged) {
     m.upper = 1.0;
     m.reason =
-        "pair forces are central; only the mass that shifting exchanges between neighbours "
-        "at a distance may move it";
+        "pair forces are central; only the tensile-instability control, whose forces are not, and "
+        "the mass that "
+        "shifting exchanges between neighbours at a distance may move it";
   }
   run.add(m);
 }
@@ -236,13 +237,15 @@ void add_finest(CaseRun& run, const Square& square, const Patch& patch) {
   const std::string at = in_words(square);
   add_spin(run, square, patch, "finest", 2.0, true);
   add_spin(run, square, patch, "finest", end, true);
-  run.add({.key = "momentum",
-           .what = at + ": largest momentum over sum m |u| of the start",
-           .value = 100.0 * patch.momentum,
-           .unit = "%",
-           .upper = 1.0,
-           .reason = "none at the start; pair forces and what shifting exchanges are opposite and "
-                     "equal"});
+  run.add(
+      {.key = "momentum",
+       .what = at + ": largest momentum over sum m |u| of the start",
+       .value = 100.0 * patch.momentum,
+       .unit = "%",
+       .upper = 1.0,
+       .reason =
+           "none at the start; pair forces, but for the tensile-instability control's, and what "
+           "shifting exchanges are opposite and equal"});
   run.add({.key = "energy",
            .what = at + ": change of kinetic and elastic energy until omega t = 4",
            .value = 100.0 * patch.energy.back(),

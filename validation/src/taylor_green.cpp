@@ -266,8 +266,8 @@ void add_rows(CaseRun& run, std::span<const Vortices> flows, std::span<const Dec
            .value = 100.0 * d.momentum,
            .unit = "%",
            .upper = 1.0,
-           .reason = "nothing pushes along free-slip walls; only the unevenness of wall "
-                     "points moves it"});
+           .reason = "nothing pushes along free-slip walls; only the "
+                     "tensile-instability control and the unevenness of wall points move it"});
   run.add({.key = fmt::format("numerical_{}", re),
            .what = at + ": share of the energy lost that viscosity did not dissipate",
            .value = 100.0 * d.numerical,

@@ -223,7 +223,8 @@ void water_column(CaseRun& run) {
              .value = 100.0 * error,
              .unit = "%",
              .upper = 1.0,
-             .reason = "share of the impulse of gravity; pair forces and what shifting exchanges "
+             .reason = "share of the impulse of gravity; pair forces, but for the "
+                       "tensile-instability control's, and what shifting exchanges "
                        "are opposite and equal"});
   };
   for (std::size_t k = 0; k < runs.size(); ++k) {

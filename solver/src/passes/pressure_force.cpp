@@ -1,5 +1,5 @@
-// Pressure part of Eq. 6: -(1/rho_i) sum (p_j + p_i) grad W V_j. Opposite and
-// equal for every pair: the one-sided tensile-instability control of Sun et al. 2018 is left out.
+// Pressure part of Eq. 6: -(1/rho_i) sum (p_j + p_i) grad W V_j. Where the tensile-instability
+// control acts (Sun et al. 2018: p_i < 0 inside the fluid) p_i changes sign.
 #include "pair_geometry.hpp"
 #include "passes.hpp"
 
@@ -11,7 +11,7 @@ static void force(const FlowArrays& a, double* ax, double* az, int begin, int en
   const FluidView& f = a.fluid;
   for (int i = begin; i < end; ++i) {
     v8d sx = splat(0.0), sz = sx;
-    const v8d own = splat(f.pressure[i]);
+    const v8d own = splat(f.tic[i] * f.pressure[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
@@ -20,7 +20,8 @@ static void force(const FlowArrays& a, double* ax, double* az, int begin, int en
       sz += scale * g.rz;
     }
     // a wall does not pull: surface particles under tension see it with no pressure of their own
-    const v8d at_wall = splat(f.pressure[i] > 0.0 ? f.pressure[i] : 0.0);
+    const double own_value = f.tic[i] * f.pressure[i];
+    const v8d at_wall = splat(own_value > 0.0 ? own_value : 0.0);
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
       const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);

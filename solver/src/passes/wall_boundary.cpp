@@ -53,7 +53,8 @@ static void load(const FlowArrays& a, double* fx, double* fz, int begin, int end
       const PairGeometry g =
           pair_geometry<periodic>(c, a.fluid.x, a.fluid.z, a.wall.x[k], a.wall.z[k], index);
       const v8d fv = g.f * gather(a.fluid.volume, index) * splat(a.wall.volume[k]);
-      v8d scale = fv * (splat(a.wall.pressure[k]) + positive_part(gather(a.fluid.pressure, index)));
+      v8d scale = fv * (splat(a.wall.pressure[k]) + positive_part(gather(a.fluid.tic, index) *
+                                                                  gather(a.fluid.pressure, index)));
       if (c.no_slip) {
         const v8d approach = (gather(a.fluid.u, index) - splat(wall_u)) * g.rx +
                              (gather(a.fluid.w, index) - splat(wall_w)) * g.rz;
