@@ -7,7 +7,9 @@ namespace parapet::validation {
 
 struct Evenness {
   double closest = 0.0;  // smallest distance of two particles over dx
-  double spread = 0.0;   // standard deviation of sum W V away from the ends in z
+  // Standard deviations away from the ends in z: of sum W V, and of sum W dx^2, which depends on the
+  // places alone.
+  double spread = 0.0, places = 0.0;
 };
 
 // For flows without free surfaces.
