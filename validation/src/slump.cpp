@@ -79,9 +79,12 @@ void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacing
     };
     add("runout", "run-out against thin-layer theory", 100.0 * (front / thin_layer.front() - 1.0),
         finest,
-        heap.yield_stress > 50.0 ? "the heap is too thick for the theory, whose next order "
-                                   "is shorter by what the row above says"
-                                 : "");
+        heap.yield_stress > 50.0
+            ? "the heap is too thick for the theory, whose next order "
+              "is shorter by what the row above says"
+            : "the theory itself is long by 2 %; the rest is the front, a layer "
+              "of one or two particles that stops early, and shrinks with "
+              "the spacing");
     add("next", "run-out against the theory's next order",
         100.0 * (front / next.front_at(thin_layer) - 1.0), finest, "");
     run.add({.key = without_dots(fmt::format("{}_profile_{:.3g}", key, mm)),

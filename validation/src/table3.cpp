@@ -75,7 +75,7 @@ std::string why_missed(const std::string& row, const std::string& metric) {
   if (metric == "retention_efficiency_total") return thrown_over;
   if (metric == "retention_efficiency" && row == "H10-WD2") {
     return "the paper says \"decreases by about 40 %\" in one place and \"intercepts about 40 %\" "
-           "in another; refinement lowers ours (grid convergence)";
+           "in another; ours is above by little more than its uncertainty (grid convergence)";
   }
   if (metric == "flow_depth_max_time_s") {
     return "the depth hardly changes around its largest value, so that its time is loose";
