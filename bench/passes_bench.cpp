@@ -32,6 +32,9 @@ struct Subject {
                particle[2].data(), particle[3].data(), particle[4].data(),       particle[5].data(),
                particle[6].data(), particle[7].data(), flow.fluid().mass.data(), 1.4e-4};
     solver::best_passes().viscous_matrix(arrays, viscous, 0, n);
+    vector.resize(size);
+    image.resize(size);
+    for (std::size_t i = 0; i < size; ++i) vector[i] = {arrays.fluid.u[i], arrays.fluid.w[i]};
   }
 
   solver::ShiftedRates rates() {
@@ -43,6 +46,7 @@ struct Subject {
   solver::PairCount pairs;
   int n = 0;
   std::vector<double> bx, bz, particle[12], wall[2];
+  std::vector<solver::Pair> vector, image;
   solver::ViscousView viscous;
 };
 
@@ -76,8 +80,7 @@ const std::vector<Pass>& passes() {
        [](const PassTable& p, Subject& s) { p.viscous_matrix(s.arrays, s.viscous, 0, s.n); }},
       {"viscous_product",
        [](const PassTable& p, Subject& s) {
-         p.viscous_product(s.arrays, s.viscous, s.arrays.fluid.u, s.arrays.fluid.w,
-                           s.particle[8].data(), s.particle[9].data(), 0, s.n);
+         p.viscous_product(s.arrays, s.viscous, s.vector.data(), s.image.data(), 0, s.n);
        }},
       {"extrapolate_walls",
        [](const PassTable& p, Subject& s) {

@@ -89,18 +89,39 @@ FlowArrays Flow::arrays() {
                       wall_pressure_.data(),
                       wall_fluid_u_.data(),
                       wall_fluid_w_.data()};
-  return {c, fluid_.view(), wall, rows_.view()};
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) { fluid_.pack(begin, end); });
+  RowView rows = rows_.view();
+  rows.begin = reached_begin_.data();
+  rows.wall_begin = reached_wall_begin_.data();
+  rows.end = reached_end_.data();
+  rows.index = reached_index_.data();
+  return {c, fluid_.view(), wall, rows};
 }
 
 void Flow::prepare_neighbors() {
   const StageScope check(setup_.timer, Stage::neighbor_check);
-  if (!rows_.outdated(fluid_)) return;
-  const StageScope build(setup_.timer, Stage::neighbor_rows);
-  rows_.build(fluid_, threads());
-  ++statistics_.neighbor_builds;
-  if (setup_.timer == nullptr) return;
+  const bool outdated = rows_.outdated(fluid_);
+  if (outdated) {
+    const StageScope build(setup_.timer, Stage::neighbor_rows);
+    rows_.build(fluid_, threads());
+    ++statistics_.neighbor_builds;
+  }
+  find_reached_pairs();
+  if (!outdated || setup_.timer == nullptr) return;
   const StageScope profiling(setup_.timer, Stage::profiling);
   setup_.timer->set_pairs(count_pairs(arrays()));
+}
+
+void Flow::find_reached_pairs() {
+  for (auto* a : {&reached_begin_, &reached_wall_begin_, &reached_end_}) a->resize(at(fluid_.n));
+  // a vector is stored whole before its pairs are counted
+  reached_index_.resize(static_cast<std::size_t>(rows_.fluid_slots()) + lanes);
+  FlowArrays a = arrays();
+  a.rows = rows_.view();
+  const ReachedRows reached{reached_begin_.data(), reached_wall_begin_.data(), reached_end_.data(),
+                            reached_index_.data()};
+  for_blocks(fluid_.n, threads(),
+             [&](int begin, int end) { passes_.reached_rows(a, reached, begin, end); });
 }
 
 void Flow::update_pressure() {

@@ -87,9 +87,10 @@ class Flow {
 
   // The terms, for the time integrations; each reads the present state.
   Fluid& fluid() { return fluid_; }
-  void prepare_neighbors();  // rebuilds the rows when they are outdated
-  void update_pressure();    // Eq. 2 and the volumes
-  void update_gradients();   // walls, Eq. 8-11, Eq. 13-15
+  void prepare_neighbors();   // rebuilds the rows when they are outdated
+  void find_reached_pairs();  // among the rows' pairs; whenever particles have moved
+  void update_pressure();     // Eq. 2 and the volumes
+  void update_gradients();    // walls, Eq. 8-11, Eq. 13-15
   void add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az);
   void add_viscous_force(std::vector<double>& ax, std::vector<double>& az);
   bool solve_viscosity(const std::vector<double>& u_star, const std::vector<double>& w_star,
@@ -113,6 +114,7 @@ class Flow {
   int first_barrier_point_ = 0;
   Fluid fluid_;
   NeighborRows rows_;
+  std::vector<std::int32_t> reached_begin_, reached_wall_begin_, reached_end_, reached_index_;
   ViscousSolve viscous_;
   std::unique_ptr<TimeIntegrator> integrator_;
   std::vector<BarrierImpulse> impulses_;

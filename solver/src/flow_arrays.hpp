@@ -23,6 +23,17 @@ struct RowView {
   int n_active;
 };
 
+// What a pass wants of its neighbours, four values side by side: one load per neighbour instead of
+// four. The records repeat the arrays; Fluid::pack fills them.
+struct alignas(32) Record {
+  double value[4];
+};
+
+// A vector in the plane, side by side.
+struct alignas(16) Pair {
+  double x, z;
+};
+
 struct FluidView {
   int n;
   const double *x, *z;      // position [m]
@@ -33,7 +44,10 @@ struct FluidView {
   const double* viscosity;  // apparent, with the quadrature correction of rheology.hpp [Pa s]
   const double *density_grad_x, *density_grad_z;  // renormalised [kg/m4]
   const double *shift_u, *shift_w;                // shifting velocity [m/s]
-  const double* tic;  // +1, or -1 where the tensile-instability control acts
+  const double* tic;     // +1, or -1 where the tensile-instability control acts
+  const Record* motion;  // x, z, u, w
+  const Record* state;   // volume, density, pressure, viscosity
+  const Record* shift;   // shift_u, shift_w, density_grad_x, density_grad_z
 };
 
 struct WallView {
@@ -86,6 +100,24 @@ struct ViscousView {
   double *rhs_x, *rhs_z;  // [n_fluid] momentum from the walls' lagged part
   const double* mass;     // [n_fluid]
   double dt;
+};
+
+// Vectors of the conjugate gradients; [n_fluid], padded with zeros to whole vectors. `scale` turns
+// a squared residual into a squared acceleration, twice the same.
+struct DescentView {
+  Pair *solution, *residual, *preconditioned, *direction, *image;
+  const Pair *inverse_diagonal, *inverse_off, *scale;  // of the 2 x 2 block: (xx, zz), (xz, xz)
+};
+
+struct DescentSums {
+  double product;  // residual . preconditioned
+  double worst;    // largest squared acceleration [m2/s4]
+};
+
+// Rows of the pairs within the support alone, for as long as no particle moves: the same shape as
+// RowView's, of [n_fluid] and at most [n_slots].
+struct ReachedRows {
+  std::int32_t *begin, *wall_begin, *end, *index;
 };
 
 struct FlowArrays {

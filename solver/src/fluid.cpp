@@ -67,8 +67,10 @@ void Fluid::set_ghost() {
     (*array)[g] = 0.0;
   }
   id.resize(g + 1);
+  for (auto* records : {&motion, &state, &shift}) records->resize(g + 1);
   x[g] = z[g] = far_away;
   density[g] = 1.0;
+  pack(n, n + 1);
 }
 
 void Fluid::permute(std::span<const std::int32_t> order) {
@@ -117,7 +119,18 @@ FluidView Fluid::view() const {
           density_grad_z.data(),
           shift_u.data(),
           shift_w.data(),
-          tic.data()};
+          tic.data(),
+          motion.data(),
+          state.data(),
+          shift.data()};
+}
+
+void Fluid::pack(int begin, int end) {
+  for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+    motion[i] = {{x[i], z[i], u[i], w[i]}};
+    state[i] = {{volume[i], density[i], pressure[i], pair_viscosity[i]}};
+    shift[i] = {{shift_u[i], shift_w[i], density_grad_x[i], density_grad_z[i]}};
+  }
 }
 
 GradientSums Fluid::gradient_sums() {

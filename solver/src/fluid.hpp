@@ -33,6 +33,7 @@ struct Fluid {
   std::vector<double> density_grad_x, density_grad_z;  // Eq. 8
   std::vector<double> sums[18];                        // of the gradient pass
   std::vector<double> du, dw;                          // change in the last step (m/s)
+  std::vector<Record> motion, state, shift;            // packed, see FluidView
   std::vector<std::int32_t> id;                        // of the particle at release
 
   void assign(std::span<const InitialParticle> particles);
@@ -40,6 +41,8 @@ struct Fluid {
   void permute(std::span<const std::int32_t> order);
   // Removes the particles of these ascending indices, keeping the order of the others.
   void remove(std::span<const std::int32_t> indices);
+  // Brings the records of [begin, end) up to date with the arrays; the ghost's with end = n + 1.
+  void pack(int begin, int end);
   FluidView view() const;
   GradientSums gradient_sums();
 

@@ -22,7 +22,10 @@ class Rk4Explicit final : public TimeIntegrator {
     for (auto* a : {&sum_.x, &sum_.z, &sum_.u, &sum_.w, &sum_.density, &sum_.mass})
       a->assign(n + 1, 0.0);
     for (int stage = 0; stage < 4; ++stage) {
-      if (stage > 0) flow.update_pressure();
+      if (stage > 0) {
+        flow.find_reached_pairs();
+        flow.update_pressure();
+      }
       derive(flow);
       if (stage == 0) flow.measure_barrier_load(dt);
       accumulate(sum_, weight[stage], n);

@@ -20,12 +20,14 @@ double sum_in_order(const std::vector<double>& partial) {
 void ViscousSolve::resize(std::size_t n, std::size_t slots) {
   bx_.resize(slots);
   bz_.resize(slots);
-  for (auto* array : {&dxx_, &dxz_, &dzz_, &wxx_, &wxz_, &wzz_, &rhs_x_, &rhs_z_, &rx_, &rz_, &yx_,
-                      &yz_, &sx_, &sz_}) {
+  for (auto* array : {&dxx_, &dxz_, &dzz_, &wxx_, &wxz_, &wzz_, &rhs_x_, &rhs_z_}) {
     array->resize(n);
   }
-  px_.assign(n + 1, 0.0);
-  pz_.assign(n + 1, 0.0);
+  const std::size_t padded = (n + lanes) / lanes * lanes;  // the ghost at n included
+  for (auto* array : {&solution_, &residual_, &preconditioned_, &direction_, &image_,
+                      &inverse_diagonal_, &inverse_off_, &scale_}) {
+    array->assign(padded, Pair{0.0, 0.0});
+  }
   const std::size_t blocks = (n + block_size - 1) / block_size;
   partial_.resize(blocks);
   largest_.resize(blocks);
@@ -50,35 +52,35 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
                [&](int begin, int end) { passes.viscous_matrix(arrays, v, begin, end); });
   }
 
-  // Block-Jacobi: z = D^-1 r; returns the partial sums of r.z and the largest acceleration error.
-  const auto precondition = [&](int begin, int end) {
-    double product = 0.0, worst = 0.0;
-    for (std::size_t i = at(begin); i < at(end); ++i) {
-      const double inverse = 1.0 / (dxx_[i] * dzz_[i] - dxz_[i] * dxz_[i]);
-      sx_[i] = inverse * (dzz_[i] * rx_[i] - dxz_[i] * rz_[i]);
-      sz_[i] = inverse * (dxx_[i] * rz_[i] - dxz_[i] * rx_[i]);
-      product += rx_[i] * sx_[i] + rz_[i] * sz_[i];
-      const double scale = 1.0 / (fluid.mass[i] * dt);
-      worst = std::max(worst, (rx_[i] * rx_[i] + rz_[i] * rz_[i]) * (scale * scale));
-    }
-    partial_[at(begin / block_size)] = product;
-    largest_[at(begin / block_size)] = worst;
+  const DescentView d{solution_.data(),    residual_.data(), preconditioned_.data(),
+                      direction_.data(),   image_.data(),    inverse_diagonal_.data(),
+                      inverse_off_.data(), scale_.data()};
+  const auto descend = [&](double step, int begin, int end) {
+    const DescentSums sums = passes.descend(d, step, begin, end);
+    partial_[at(begin / block_size)] = sums.product;
+    largest_[at(begin / block_size)] = sums.worst;
   };
   const auto residual_error = [&] {
     double worst = 0.0;
-    for (const double l : largest_) worst = std::max(worst, l);
+    for (const double l : largest_) worst = !(l <= worst) ? l : worst;
     return std::sqrt(worst);
   };
 
+  for (std::size_t i = 0; i < at(n); ++i) solution_[i] = {u[i], w[i]};
   for_blocks(n, threads, [&](int begin, int end) {
-    passes.viscous_product(arrays, v, u.data(), w.data(), yx_.data(), yz_.data(), begin, end);
+    passes.viscous_product(arrays, v, solution_.data(), image_.data(), begin, end);
     for (std::size_t i = at(begin); i < at(end); ++i) {
-      rx_[i] = fluid.mass[i] * u_star[i] + rhs_x_[i] - yx_[i];
-      rz_[i] = fluid.mass[i] * w_star[i] + rhs_z_[i] - yz_[i];
+      residual_[i] = {fluid.mass[i] * u_star[i] + rhs_x_[i] - image_[i].x,
+                      fluid.mass[i] * w_star[i] + rhs_z_[i] - image_[i].z};
+      // block-Jacobi
+      const double inverse = 1.0 / (dxx_[i] * dzz_[i] - dxz_[i] * dxz_[i]);
+      inverse_diagonal_[i] = {inverse * dzz_[i], inverse * dxx_[i]};
+      inverse_off_[i] = {-inverse * dxz_[i], -inverse * dxz_[i]};
+      const double scale = 1.0 / (fluid.mass[i] * dt);
+      scale_[i] = {scale * scale, scale * scale};
     }
-    precondition(begin, end);
-    std::copy_n(sx_.begin() + begin, end - begin, px_.begin() + begin);
-    std::copy_n(sz_.begin() + begin, end - begin, pz_.begin() + begin);
+    descend(0.0, begin, end);
+    passes.turn(d, 0.0, begin, end);
   });
   double rho = sum_in_order(partial_);
   Outcome outcome;
@@ -86,34 +88,21 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
     if (outcome.iterations >= settings.max_iterations || !std::isfinite(rho)) return outcome;
     ++outcome.iterations;
     for_blocks(n, threads, [&](int begin, int end) {
-      passes.viscous_product(arrays, v, px_.data(), pz_.data(), yx_.data(), yz_.data(), begin, end);
-      double product = 0.0;
-      for (std::size_t i = at(begin); i < at(end); ++i) {
-        product += px_[i] * yx_[i] + pz_[i] * yz_[i];
-      }
-      partial_[at(begin / block_size)] = product;
+      partial_[at(begin / block_size)] =
+          passes.viscous_product(arrays, v, direction_.data(), image_.data(), begin, end);
     });
     const double curvature = sum_in_order(partial_);
     if (!(curvature > 0.0)) return outcome;
     const double step = rho / curvature;
-    for_blocks(n, threads, [&](int begin, int end) {
-      for (std::size_t i = at(begin); i < at(end); ++i) {
-        u[i] += step * px_[i];
-        w[i] += step * pz_[i];
-        rx_[i] -= step * yx_[i];
-        rz_[i] -= step * yz_[i];
-      }
-      precondition(begin, end);
-    });
+    for_blocks(n, threads, [&](int begin, int end) { descend(step, begin, end); });
     const double next = sum_in_order(partial_);
     const double beta = next / rho;
     rho = next;
-    for_blocks(n, threads, [&](int begin, int end) {
-      for (std::size_t i = at(begin); i < at(end); ++i) {
-        px_[i] = sx_[i] + beta * px_[i];
-        pz_[i] = sz_[i] + beta * pz_[i];
-      }
-    });
+    for_blocks(n, threads, [&](int begin, int end) { passes.turn(d, beta, begin, end); });
+  }
+  for (std::size_t i = 0; i < at(n); ++i) {
+    u[i] = solution_[i].x;
+    w[i] = solution_[i].z;
   }
   outcome.converged = true;
   return outcome;

@@ -36,7 +36,9 @@ class ViscousSolve {
   ViscousView view(const Fluid& fluid, double dt);
 
   std::vector<double> bx_, bz_, dxx_, dxz_, dzz_, wxx_, wxz_, wzz_, rhs_x_, rhs_z_;
-  std::vector<double> rx_, rz_, px_, pz_, yx_, yz_, sx_, sz_, partial_, largest_;
+  std::vector<Pair> solution_, residual_, preconditioned_, direction_, image_, inverse_diagonal_,
+      inverse_off_, scale_;
+  std::vector<double> partial_, largest_;
 };
 
 }  // namespace parapet::solver

@@ -24,19 +24,20 @@ void rates_of(const FlowArrays& a, const ShiftedRates& out, int begin, int end) 
     const v8d grad_x = splat(f.density_grad_x[i]), grad_z = splat(f.density_grad_z[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
-      const v8d fv = g.f * gather(f.volume, j);
-      const v8d du = gather(f.u, j) - ui, dw = gather(f.w, j) - wi, rho_j = gather(f.density, j);
+      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
+      const FourLanes shift = gather(f.shift, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
+      const v8d fv = g.f * state.a;
+      const v8d du = motion.c - ui, dw = motion.d - wi, rho_j = state.b;
       divergence += fv * (du * g.rx + dw * g.rz);
-      const v8d sx = gather(f.shift_u, j), sz = gather(f.shift_w, j);
+      const v8d sx = shift.a, sz = shift.b;
       spread += fv * ((sx - shift_x) * g.rx + (sz - shift_z) * g.rz);
       const v8d pair = fv * ((carried_x + rho_j * sx) * g.rx + (carried_z + rho_j * sz) * g.rz);
       flux += pair;
       ex += pair * du;
       ez += pair * dw;
       // (r_j - r_i) . grad W / r^2 = -F
-      const v8d along = (grad_x + gather(f.density_grad_x, j)) * g.rx +
-                        (grad_z + gather(f.density_grad_z, j)) * g.rz;
+      const v8d along = (grad_x + shift.c) * g.rx + (grad_z + shift.d) * g.rz;
       diffusion -= (splat(2.0) * (rho_j - rho_i) + along) * fv;
     }
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {

@@ -59,11 +59,12 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), rho_i = splat(f.density[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
-      const v8d volume = gather(f.volume, j);
-      add(c, m, g, volume, gather(f.u, j) - ui, gather(f.w, j) - wi);
-      add_fourth_moments(c, m, g, volume, gather(f.u, j) - ui, gather(f.w, j) - wi);
-      const v8d drho = (gather(f.density, j) - rho_i) * (g.f * volume);
+      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
+      const v8d volume = state.a, du = motion.c - ui, dw = motion.d - wi;
+      add(c, m, g, volume, du, dw);
+      add_fourth_moments(c, m, g, volume, du, dw);
+      const v8d drho = (state.b - rho_i) * (g.f * volume);
       rho_x += drho * g.rx;
       rho_z += drho * g.rz;
     }

@@ -15,11 +15,11 @@ struct PairGeometry {
 };
 
 template <bool periodic>
-PARAPET_INLINE PairGeometry pair_geometry(const FlowConstants& c, const double* x, const double* z,
-                                          double xi, double zi, const std::int32_t* index) {
+PARAPET_INLINE PairGeometry pair_geometry(const FlowConstants& c, double xi, double zi, v8d xj,
+                                          v8d zj) {
   PairGeometry g;
-  g.rx = splat(xi) - gather(x, index);
-  g.rz = splat(zi) - gather(z, index);
+  g.rx = splat(xi) - xj;
+  g.rz = splat(zi) - zj;
   if constexpr (periodic) {
     // nearest image; the ghost is left where it is, far outside either way
     const v8d length = splat(c.periodic_length);
@@ -34,6 +34,12 @@ PARAPET_INLINE PairGeometry pair_geometry(const FlowConstants& c, const double* 
   g.t = kernel_falloff(g.q);
   g.f = kernel_f(c.kernel, g.t);
   return g;
+}
+
+template <bool periodic>
+PARAPET_INLINE PairGeometry pair_geometry(const FlowConstants& c, const double* x, const double* z,
+                                          double xi, double zi, const std::int32_t* index) {
+  return pair_geometry<periodic>(c, xi, zi, gather(x, index), gather(z, index));
 }
 
 // Keeps r_ij/r^2 finite for padded slots and coincident points [m2]; (1e-6 h)^2.

@@ -14,8 +14,9 @@ static void force(const FlowArrays& a, double* ax, double* az, int begin, int en
     const v8d own = splat(f.tic[i] * f.pressure[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
-      const v8d scale = (gather(f.pressure, j) + own) * (g.f * gather(f.volume, j));
+      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
+      const v8d scale = (state.c + own) * (g.f * state.a);
       sx += scale * g.rx;
       sz += scale * g.rz;
     }

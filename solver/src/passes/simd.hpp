@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "../flow_arrays.hpp"
 #include "../kernel.hpp"
 
 #if defined(__SSE2__)
@@ -25,6 +26,106 @@ PARAPET_INLINE v8d gather(const double* values, const std::int32_t* index) {
   return v8d{values[index[0]], values[index[1]], values[index[2]], values[index[3]],
              values[index[4]], values[index[5]], values[index[6]], values[index[7]]};
 }
+
+struct FourLanes {
+  v8d a, b, c, d;  // the four values of eight records
+};
+
+struct TwoLanes {
+  v8d x, z;
+};
+
+#if defined(__AVX512F__)
+PARAPET_INLINE FourLanes gather(const Record* records, const std::int32_t* index) {
+  const auto two = [&](int first, int second) {
+    const __m512d low = _mm512_castpd256_pd512(_mm256_load_pd(records[index[first]].value));
+    return _mm512_insertf64x4(low, _mm256_load_pd(records[index[second]].value), 1);
+  };
+  const __m512d p0 = two(0, 2), p1 = two(1, 3), p2 = two(4, 6), p3 = two(5, 7);
+  const __m512d ac0 = _mm512_unpacklo_pd(p0, p1), bd0 = _mm512_unpackhi_pd(p0, p1);
+  const __m512d ac1 = _mm512_unpacklo_pd(p2, p3), bd1 = _mm512_unpackhi_pd(p2, p3);
+  return {(v8d)_mm512_shuffle_f64x2(ac0, ac1, 0x88), (v8d)_mm512_shuffle_f64x2(bd0, bd1, 0x88),
+          (v8d)_mm512_shuffle_f64x2(ac0, ac1, 0xdd), (v8d)_mm512_shuffle_f64x2(bd0, bd1, 0xdd)};
+}
+
+// The first two values of eight records, or eight pairs.
+template <class Element>
+PARAPET_INLINE TwoLanes gather_two(const Element* elements, const std::int32_t* index) {
+  const auto four = [&](int first) {
+    const auto at = [&](int k) {
+      return _mm_load_pd(reinterpret_cast<const double*>(elements + index[first + k]));
+    };
+    const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(2), 1);
+    const __m256d high = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(4)), at(6), 1);
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
+  };
+  const __m512d even = four(0), odd = four(1);
+  return {(v8d)_mm512_unpacklo_pd(even, odd), (v8d)_mm512_unpackhi_pd(even, odd)};
+}
+#elif defined(__AVX__)
+PARAPET_INLINE v8d join(__m256d low, __m256d high) {
+  const union {
+    __m256d half[2];
+    v8d all;
+  } u = {{low, high}};
+  return u.all;
+}
+
+PARAPET_INLINE FourLanes gather(const Record* records, const std::int32_t* index) {
+  __m256d a[2], b[2], c[2], d[2];
+  for (int half = 0; half < 2; ++half) {
+    const auto record = [&](int k) { return _mm256_load_pd(records[index[4 * half + k]].value); };
+    const __m256d r0 = record(0), r1 = record(1), r2 = record(2), r3 = record(3);
+    const __m256d ac0 = _mm256_unpacklo_pd(r0, r1), bd0 = _mm256_unpackhi_pd(r0, r1);
+    const __m256d ac1 = _mm256_unpacklo_pd(r2, r3), bd1 = _mm256_unpackhi_pd(r2, r3);
+    a[half] = _mm256_permute2f128_pd(ac0, ac1, 0x20);
+    b[half] = _mm256_permute2f128_pd(bd0, bd1, 0x20);
+    c[half] = _mm256_permute2f128_pd(ac0, ac1, 0x31);
+    d[half] = _mm256_permute2f128_pd(bd0, bd1, 0x31);
+  }
+  return {join(a[0], a[1]), join(b[0], b[1]), join(c[0], c[1]), join(d[0], d[1])};
+}
+
+template <class Element>
+PARAPET_INLINE TwoLanes gather_two(const Element* elements, const std::int32_t* index) {
+  __m256d x[2], z[2];
+  for (int half = 0; half < 2; ++half) {
+    const auto two = [&](int first) {
+      const auto at = [&](int k) {
+        return _mm_load_pd(reinterpret_cast<const double*>(elements + index[4 * half + first + k]));
+      };
+      return _mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(2), 1);
+    };
+    const __m256d even = two(0), odd = two(1);
+    x[half] = _mm256_unpacklo_pd(even, odd);
+    z[half] = _mm256_unpackhi_pd(even, odd);
+  }
+  return {join(x[0], x[1]), join(z[0], z[1])};
+}
+#else
+PARAPET_INLINE FourLanes gather(const Record* records, const std::int32_t* index) {
+  FourLanes r;
+  for (int l = 0; l < lanes; ++l) {
+    const double* value = records[index[l]].value;
+    r.a[l] = value[0];
+    r.b[l] = value[1];
+    r.c[l] = value[2];
+    r.d[l] = value[3];
+  }
+  return r;
+}
+
+template <class Element>
+PARAPET_INLINE TwoLanes gather_two(const Element* elements, const std::int32_t* index) {
+  TwoLanes r;
+  for (int l = 0; l < lanes; ++l) {
+    const double* value = reinterpret_cast<const double*>(elements + index[l]);
+    r.x[l] = value[0];
+    r.z[l] = value[1];
+  }
+  return r;
+}
+#endif
 
 PARAPET_INLINE v8d load(const double* values) {
   v8d v;
@@ -67,8 +168,24 @@ PARAPET_INLINE v8d sqrt_lanes(v8d v) {
 #endif
 }
 
+// The same tree in every instruction set: lanes 4 apart, then 2, then 1.
 PARAPET_INLINE double sum_lanes(v8d v) {
+#if defined(__AVX__)
+#if defined(__AVX512F__)
+  const __m256d four =
+      _mm256_add_pd(_mm512_castpd512_pd256((__m512d)v), _mm512_extractf64x4_pd((__m512d)v, 1));
+#else
+  const union {
+    v8d all;
+    __m256d half[2];
+  } u = {v};
+  const __m256d four = _mm256_add_pd(u.half[0], u.half[1]);
+#endif
+  const __m128d two = _mm_add_pd(_mm256_castpd256_pd128(four), _mm256_extractf128_pd(four, 1));
+  return _mm_cvtsd_f64(_mm_add_sd(two, _mm_unpackhi_pd(two, two)));
+#else
   return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+#endif
 }
 
 // t = 1 - q/2, cut off at zero: both W and F vanish beyond the support without a branch.

@@ -9,6 +9,7 @@ namespace parapet::solver::PARAPET_ISA {
 
 extern const PassTable table;
 const PassTable table = {PARAPET_STRING(PARAPET_ISA),
+                         reached_rows,
                          extrapolate_walls,
                          gradient_sums,
                          pressure_force,
@@ -16,6 +17,8 @@ const PassTable table = {PARAPET_STRING(PARAPET_ISA),
                          density_rate,
                          viscous_matrix,
                          viscous_product,
+                         descend,
+                         turn,
                          wall_load};
 
 }  // namespace parapet::solver::PARAPET_ISA

@@ -24,10 +24,10 @@ void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
     const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), eta_i = splat(f.viscosity[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
-      const v8d approach = (ui - gather(f.u, j)) * g.rx + (wi - gather(f.w, j)) * g.rz;
-      const v8d scale = mean(eta_i, gather(f.viscosity, j)) * (g.f * gather(f.volume, j)) *
-                        (approach / safe_r2(c, g.r2));
+      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
+      const v8d approach = (ui - motion.c) * g.rx + (wi - motion.d) * g.rz;
+      const v8d scale = mean(eta_i, state.d) * (g.f * state.a) * (approach / safe_r2(c, g.r2));
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
@@ -62,9 +62,9 @@ void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
     const double strength = alpha * v.dt * f.volume[i];
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, f.x, f.z, f.x[i], f.z[i], j);
-      const v8d weight =
-          splat(strength) * mean(eta_i, gather(f.viscosity, j)) * (-g.f * gather(f.volume, j));
+      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
+      const v8d weight = splat(strength) * mean(eta_i, state.d) * (-g.f * state.a);
       const v8d b = sqrt_lanes(weight / safe_r2(c, g.r2));
       const v8d bx = b * g.rx, bz = b * g.rz;
       store(v.bx + s, bx);
@@ -111,21 +111,25 @@ void viscous_matrix(const FlowArrays& a, const ViscousView& v, int begin, int en
   PARAPET_PASS(matrix, a, v, begin, end);
 }
 
-void viscous_product(const FlowArrays& a, const ViscousView& v, const double* vx, const double* vz,
-                     double* yx, double* yz, int begin, int end) {
+double viscous_product(const FlowArrays& a, const ViscousView& v, const Pair* p, Pair* y, int begin,
+                       int end) {
+  double product = 0.0;
   for (int i = begin; i < end; ++i) {
     v8d sx = splat(0.0), sz = sx;
-    const v8d xi = splat(vx[i]), zi = splat(vz[i]);
+    const v8d xi = splat(p[i].x), zi = splat(p[i].z);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
       const v8d bx = load(v.bx + s), bz = load(v.bz + s);
-      const v8d along = bx * (xi - gather(vx, j)) + bz * (zi - gather(vz, j));
+      const TwoLanes p_j = gather_two(p, j);
+      const v8d along = bx * (xi - p_j.x) + bz * (zi - p_j.z);
       sx += along * bx;
       sz += along * bz;
     }
-    yx[i] = v.wall_xx[i] * vx[i] + v.wall_xz[i] * vz[i] + sum_lanes(sx);
-    yz[i] = v.wall_xz[i] * vx[i] + v.wall_zz[i] * vz[i] + sum_lanes(sz);
+    y[i].x = v.wall_xx[i] * p[i].x + v.wall_xz[i] * p[i].z + sum_lanes(sx);
+    y[i].z = v.wall_xz[i] * p[i].x + v.wall_zz[i] * p[i].z + sum_lanes(sz);
+    product += p[i].x * y[i].x + p[i].z * y[i].z;
   }
+  return product;
 }
 
 }  // namespace parapet::solver::PARAPET_ISA

@@ -22,7 +22,7 @@ struct Rates {
 
 // Five particles placed by hand plus 40 at random, far from any wall.
 struct Cloud {
-  Fluid fluid;
+  mutable Fluid fluid;  // its records are packed when they are looked at
   std::vector<std::int32_t> begin, end, index;
   std::vector<double> none = std::vector<double>(8, 0.0);
 
@@ -75,6 +75,7 @@ struct Cloud {
     c.reference_density = 1000.0;
     c.density_diffusion = 0.1;
     c.no_slip = true;
+    fluid.pack(0, fluid.n + 1);
     FlowArrays a{c, fluid.view(), {}, {}};
     a.rows.begin = begin.data();
     a.rows.wall_begin = end.data();
