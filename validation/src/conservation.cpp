@@ -91,7 +91,7 @@ constexpr std::array<double, 4> skins{0.19, 0.22, 0.28, 0.31};  // instead of 0.
 
 // Table 1 debris let go in a tank that slopes by 26 deg, with a block that it runs up and over. All
 // lengths are whole spacings, so that wall points lie the same whichever end they start from.
-FlowSetup tank_with_block(double skin_ratio = 0.25) {
+FlowSetup tank_with_block(double skin_ratio = 0.45) {
   FlowSetup setup;
   setup.numerics.skin_ratio = skin_ratio;
   setup.numerics.spacing = dx;
