@@ -94,7 +94,9 @@ void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacing
              .value = slumps::profile_error(*outcomes[k], next),
              .unit = "%",
              .upper = finest ? std::optional(5.0) : std::nullopt,
-             .reason = finest ? "as for the run-out, of which the profile is the sum" : ""});
+             .reason = finest ? "as for the run-out, of which the profile is the sum" : "",
+             .explanation = finest ? "the heap is a few particles deep; it falls with the spacing"
+                                   : ""});
   }
   const Outcome& finest = *outcomes.back();
   run.add({.key = key + "_inertia",
