@@ -95,8 +95,8 @@ void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacing
              .unit = "%",
              .upper = finest ? std::optional(5.0) : std::nullopt,
              .reason = finest ? "as for the run-out, of which the profile is the sum" : "",
-             .explanation = finest ? "the heap is a few particles deep; it falls with the spacing"
-                                   : ""});
+             .explanation =
+                 finest ? "the heap is a few particles deep; it falls with the spacing" : ""});
   }
   const Outcome& finest = *outcomes.back();
   run.add({.key = key + "_inertia",
