@@ -25,7 +25,7 @@ struct Subject {
     n = flow.fluid().n;
     const auto size = static_cast<std::size_t>(n) + 1;
     const auto slots = static_cast<std::size_t>(arrays.rows.end[n - 1]);
-    for (auto* a : {&bx, &bz}) a->assign(slots, 0.0F);
+    for (auto* a : {&bx, &bz}) a->assign(slots, 0.0);
     for (auto& a : particle) a.assign(size, 0.0);
     for (auto& a : wall) a.assign(static_cast<std::size_t>(arrays.rows.n_active) + 1, 0.0);
     viscous = {bx.data(),          bz.data(),          particle[0].data(),       particle[1].data(),
@@ -45,8 +45,7 @@ struct Subject {
   FlowArrays arrays;
   solver::PairCount pairs;
   int n = 0;
-  std::vector<float> bx, bz;
-  std::vector<double> particle[12], wall[2];
+  std::vector<double> bx, bz, particle[12], wall[2];
   std::vector<solver::Pair> vector, image;
   solver::ViscousView viscous;
 };

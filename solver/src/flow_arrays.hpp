@@ -93,9 +93,8 @@ struct FlowConstants {
 };
 
 // Viscous matrix: slot s couples its pair by b b^T, b = sqrt(dt 8 eta_ij |F| V_i V_j) r_ij/r.
-// Single precision changes the viscosity of a pair by 1e-7; both sides of a pair round alike.
 struct ViscousView {
-  float *bx, *bz;                                   // [n_slots], fluid slots only
+  double *bx, *bz;                                  // [n_slots], fluid slots only
   double *diagonal_xx, *diagonal_xz, *diagonal_zz;  // [n_fluid] mass, pairs and walls
   double *wall_xx, *wall_xz, *wall_zz;              // [n_fluid] mass and walls alone
   double *rhs_x, *rhs_z;  // [n_fluid] momentum from the walls' lagged part

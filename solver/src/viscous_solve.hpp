@@ -35,8 +35,7 @@ class ViscousSolve {
   void resize(std::size_t n, std::size_t slots);
   ViscousView view(const Fluid& fluid, double dt);
 
-  std::vector<float> bx_, bz_;
-  std::vector<double> dxx_, dxz_, dzz_, wxx_, wxz_, wzz_, rhs_x_, rhs_z_;
+  std::vector<double> bx_, bz_, dxx_, dxz_, dzz_, wxx_, wxz_, wzz_, rhs_x_, rhs_z_;
   std::vector<Pair> solution_, residual_, preconditioned_, direction_, image_, inverse_diagonal_,
       inverse_off_, scale_;
   std::vector<double> partial_, largest_;

@@ -15,7 +15,6 @@ namespace parapet::solver {
 
 typedef double v8d __attribute__((vector_size(64)));
 typedef std::int64_t v8m __attribute__((vector_size(64)));
-typedef float v8f __attribute__((vector_size(32)));
 
 #define PARAPET_INLINE static inline __attribute__((always_inline))
 
@@ -138,24 +137,6 @@ PARAPET_INLINE void store(double* values, v8d v) {
   __builtin_memcpy(values, &v, sizeof v);
 }
 
-PARAPET_INLINE v8f single(v8d v) {
-  return __builtin_convertvector(v, v8f);
-}
-
-PARAPET_INLINE v8d widened(v8f v) {
-  return __builtin_convertvector(v, v8d);
-}
-
-PARAPET_INLINE v8d load(const float* values) {
-  v8f v;
-  __builtin_memcpy(&v, values, sizeof v);
-  return widened(v);
-}
-
-PARAPET_INLINE void store(float* values, v8f v) {
-  __builtin_memcpy(values, &v, sizeof v);
-}
-
 PARAPET_INLINE v8d positive_part(v8d v) {
   const v8m keep = v > splat(0.0);
   return (v8d)((v8m)v & keep);
@@ -183,23 +164,6 @@ PARAPET_INLINE v8d sqrt_lanes(v8d v) {
 #else
   v8d r = v;
   for (int l = 0; l < lanes; ++l) r[l] = __builtin_sqrt(v[l]);
-  return r;
-#endif
-}
-
-PARAPET_INLINE v8f sqrt_lanes(v8f v) {
-#if defined(__AVX__)
-  return (v8f)_mm256_sqrt_ps((__m256)v);
-#elif defined(__SSE2__)
-  union {
-    v8f all;
-    __m128 half[2];
-  } u = {v};
-  for (__m128& half : u.half) half = _mm_sqrt_ps(half);
-  return u.all;
-#else
-  v8f r = v;
-  for (int l = 0; l < lanes; ++l) r[l] = __builtin_sqrtf(v[l]);
   return r;
 #endif
 }

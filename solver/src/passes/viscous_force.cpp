@@ -59,19 +59,16 @@ void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
     const v8d zero = splat(0.0);
     v8d dxx = zero, dxz = zero, dzz = zero;
     const v8d eta_i = splat(f.viscosity[i]);
-    const v8d volume_i = splat(f.volume[i]);
     const double strength = alpha * v.dt * f.volume[i];
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
       const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
       const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
-      // each factor is the same from either side of the pair
-      const v8d weight = splat(alpha * v.dt) * mean(eta_i, state.d) * (volume_i * state.a) * -g.f;
-      const v8f b = sqrt_lanes(single(weight) / single(safe_r2(c, g.r2)));
-      const v8f bx_single = b * single(g.rx), bz_single = b * single(g.rz);
-      store(v.bx + s, bx_single);
-      store(v.bz + s, bz_single);
-      const v8d bx = widened(bx_single), bz = widened(bz_single);
+      const v8d weight = splat(strength) * mean(eta_i, state.d) * (-g.f * state.a);
+      const v8d b = sqrt_lanes(weight / safe_r2(c, g.r2));
+      const v8d bx = b * g.rx, bz = b * g.rz;
+      store(v.bx + s, bx);
+      store(v.bz + s, bz);
       dxx += bx * bx;
       dxz += bx * bz;
       dzz += bz * bz;
