@@ -45,6 +45,11 @@ Flow::Flow(FlowSetup setup)
     a->push_back(0.0);
   }
   for (auto* a : {&wall_pressure_, &wall_fluid_u_, &wall_fluid_w_}) a->assign(n + 1, 0.0);
+  for (std::size_t k = 0; k <= n; ++k) {
+    wall_place_.push_back({{walls_.x[k], walls_.z[k], walls_.volume[k], walls_.depth[k]}});
+    wall_face_.push_back({{walls_.u[k], walls_.w[k], walls_.normal_x[k], walls_.normal_z[k]}});
+  }
+  wall_state_.assign(n + 1, Record{});
   first_barrier_point_ = static_cast<int>(n);
   for (std::size_t k = n; k-- > 0;) {
     if (setup_.solids.faces[at(walls_.face[k])].barrier >= 0) {
@@ -88,7 +93,10 @@ FlowArrays Flow::arrays() {
                       walls_.depth.data(),
                       wall_pressure_.data(),
                       wall_fluid_u_.data(),
-                      wall_fluid_w_.data()};
+                      wall_fluid_w_.data(),
+                      wall_place_.data(),
+                      wall_face_.data(),
+                      wall_state_.data()};
   for_blocks(fluid_.n, threads(), [&](int begin, int end) { fluid_.pack(begin, end); });
   RowView rows = rows_.view();
   rows.begin = reached_begin_.data();

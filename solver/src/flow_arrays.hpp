@@ -59,6 +59,9 @@ struct WallView {
   const double* depth;                // below the face [m]
   double* pressure;                   // extrapolated from the fluid [Pa]
   double *fluid_u, *fluid_w;          // fluid velocity interpolated at the point [m/s]
+  const Record* place;                // x, z, volume, depth
+  const Record* face;                 // u, w, normal_x, normal_z
+  Record* state;                      // pressure, fluid_u, fluid_w, 0; the ghost's is zero
 };
 
 // Sums of the gradient pass, [n_fluid] each. B = sum (r_j - r_i) (x) grad W V_j.

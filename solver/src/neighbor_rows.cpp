@@ -41,6 +41,11 @@ void NeighborRows::add_fluid_neighbors(const Fluid& fluid, int i, const std::vec
   const bool bodies_near = std::any_of(faces.begin(), faces.end(), [&](int f) {
     return !solids_.bodies[at(solids_.faces[at(f)].body)].outline.empty();
   });
+  const auto offset = [&](std::int32_t j) {
+    double rx = p.x - fluid.x[at(j)];
+    if (periodic_length_ > 0.0) rx -= periodic_length_ * std::round(rx / periodic_length_);
+    return Vec2{rx, p.z - fluid.z[at(j)]};
+  };
   const int ix = std::clamp(grid_.column(p.x), 0, grid_.nx - 1), iz = grid_.row(p.z);
   const int z_from = std::max(0, iz - 1), z_to = std::min(grid_.nz - 1, iz + 1);
   for (int sx = -1; sx <= 1; ++sx) {
@@ -51,14 +56,23 @@ void NeighborRows::add_fluid_neighbors(const Fluid& fluid, int i, const std::vec
       continue;
     }
     const int from = start_[grid_.cell(jx, z_from)], to = start_[grid_.cell(jx, z_to) + 1];
+    // Every candidate is written and the next one over it unless it was near: a branch would be
+    // guessed wrong too often.
+    std::size_t count = out.size();
+    const std::size_t first = count;
+    out.resize(count + at(to - from));
     for (int j = from; j < to; ++j) {
-      double rx = p.x - fluid.x[at(j)];
-      if (periodic_length_ > 0.0) rx -= periodic_length_ * std::round(rx / periodic_length_);
-      const double rz = p.z - fluid.z[at(j)];
-      if (rx * rx + rz * rz >= limit || j == i) continue;
-      if (bodies_near && blocked(solids_.faces, faces, p, {p.x - rx, p.z - rz})) continue;
-      out.push_back(j);
+      const Vec2 r = offset(j);
+      out[count] = j;
+      count += static_cast<std::size_t>((r.x * r.x + r.z * r.z < limit) & (j != i));
     }
+    out.resize(count);
+    if (!bodies_near) continue;
+    const auto hidden = [&](std::int32_t j) {
+      return blocked(solids_.faces, faces, p, p - offset(j));
+    };
+    const auto column = out.begin() + static_cast<std::ptrdiff_t>(first);
+    out.erase(std::remove_if(column, out.end(), hidden), out.end());
   }
 }
 

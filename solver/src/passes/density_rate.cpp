@@ -42,14 +42,16 @@ void rates_of(const FlowArrays& a, const ShiftedRates& out, int begin, int end) 
     }
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
+      const FourLanes place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
       // The wall only stops the flow across it. Along it the point goes with the particle: the
       // tangential part vanishes in the integral, but its sum over discrete points does not and
       // would make the pressure of sheared particles jump as they pass from point to point.
-      const v8d nx = gather(a.wall.normal_x, k), nz = gather(a.wall.normal_z, k);
-      const v8d across = (ui - gather(a.wall.u, k)) * nx + (wi - gather(a.wall.w, k)) * nz;
-      divergence -= g.f * gather(a.wall.volume, k) * across * (nx * g.rx + nz * g.rz);
-      spread -= splat(2.0) * g.f * gather(a.wall.volume, k) * (shift_x * g.rx + shift_z * g.rz);
+      const FourLanes face = gather(a.wall.face, k);
+      const v8d nx = face.c, nz = face.d, volume = place.c;
+      const v8d across = (ui - face.a) * nx + (wi - face.b) * nz;
+      divergence -= g.f * volume * across * (nx * g.rx + nz * g.rz);
+      spread -= splat(2.0) * g.f * volume * (shift_x * g.rx + shift_z * g.rz);
     }
     const double fluxes = sum_lanes(flux);
     out.density[i] =

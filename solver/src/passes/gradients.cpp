@@ -76,21 +76,22 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     const v8d lowest = splat(0.2 * c.smoothing_length);
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
+      const FourLanes place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
       // No-slip: the particle's velocity relative to the wall goes on linearly below the surface
       // (Morris et al. 1997), so that the strain rate beside the wall is that of the slope between
       // wall and particle. Free slip shows no difference.
       v8d du = zero, dw = zero;
       if (c.no_slip) {
-        const v8d depth = gather(a.wall.depth, k);
-        const v8d height = g.rx * gather(a.wall.normal_x, k) + g.rz * gather(a.wall.normal_z, k) -
-                           depth;  // of the particle above the surface
+        const FourLanes face = gather(a.wall.face, k);
+        const v8d depth = place.d;
+        const v8d height = g.rx * face.c + g.rz * face.d - depth;  // above the surface
         const v8d above = lowest + positive_part(height - lowest);
         const v8d ratio = (above + depth) / above;
-        du = (gather(a.wall.u, k) - ui) * ratio;
-        dw = (gather(a.wall.w, k) - wi) * ratio;
+        du = (face.a - ui) * ratio;
+        dw = (face.b - wi) * ratio;
       }
-      const v8d volume = gather(a.wall.volume, k);
+      const v8d volume = place.c;
       add(c, m, g, volume, du, dw);
       if (c.no_slip) add_fourth_moments(c, m, g, volume, du, dw);
     }

@@ -25,8 +25,10 @@ static void force(const FlowArrays& a, double* ax, double* az, int begin, int en
     const v8d at_wall = splat(own_value > 0.0 ? own_value : 0.0);
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
-      const v8d scale = (gather(a.wall.pressure, k) + at_wall) * (g.f * gather(a.wall.volume, k));
+      const FourLanes place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
+      const v8d pressure = gather(a.wall.state, k).a;
+      const v8d scale = (pressure + at_wall) * (g.f * place.c);
       sx += scale * g.rx;
       sz += scale * g.rz;
     }

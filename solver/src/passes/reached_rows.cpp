@@ -46,7 +46,8 @@ void rows_of(const FlowArrays& a, const ReachedRows& rows, int begin, int end) {
     const std::int32_t middle = next;
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
+      const TwoLanes place = gather_two(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
       next += keep_some(k, g.r2 < reach2, rows.index + next);
     }
     pad(middle, a.wall.n);

@@ -33,11 +33,13 @@ void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
     }
     for (int s = a.rows.wall_begin[i]; c.no_slip && s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
-      const v8d wall_u = splat(2.0) * gather(a.wall.u, k) - gather(a.wall.fluid_u, k);
-      const v8d wall_w = splat(2.0) * gather(a.wall.w, k) - gather(a.wall.fluid_w, k);
+      const FourLanes place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
+      const FourLanes face = gather(a.wall.face, k), state = gather(a.wall.state, k);
+      const v8d wall_u = splat(2.0) * face.a - state.b;
+      const v8d wall_w = splat(2.0) * face.b - state.c;
       const v8d approach = (ui - wall_u) * g.rx + (wi - wall_w) * g.rz;
-      const v8d scale = eta_i * (g.f * gather(a.wall.volume, k)) * (approach / safe_r2(c, g.r2));
+      const v8d scale = eta_i * (g.f * place.c) * (approach / safe_r2(c, g.r2));
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
@@ -76,11 +78,12 @@ void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
     v8d wxx = zero, wxz = zero, wzz = zero, rx = zero, rz = zero;
     for (int s = a.rows.wall_begin[i]; c.no_slip && s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const PairGeometry g = pair_geometry<periodic>(c, a.wall.x, a.wall.z, f.x[i], f.z[i], k);
-      const v8d weight =
-          splat(strength) * eta_i * (-g.f * gather(a.wall.volume, k)) / safe_r2(c, g.r2);
-      const v8d mirror_u = splat(2.0) * gather(a.wall.u, k) - gather(a.wall.fluid_u, k);
-      const v8d mirror_w = splat(2.0) * gather(a.wall.w, k) - gather(a.wall.fluid_w, k);
+      const FourLanes place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
+      const v8d weight = splat(strength) * eta_i * (-g.f * place.c) / safe_r2(c, g.r2);
+      const FourLanes face = gather(a.wall.face, k), state = gather(a.wall.state, k);
+      const v8d mirror_u = splat(2.0) * face.a - state.b;
+      const v8d mirror_w = splat(2.0) * face.b - state.c;
       // -w (u_i - mirror) = -w 2 u_i(new) + w (u_i(old) + mirror)
       const v8d lagged =
           weight * ((splat(f.u[i]) + mirror_u) * g.rx + (splat(f.w[i]) + mirror_w) * g.rz);

@@ -14,16 +14,17 @@ static void extrapolate(const FlowArrays& a, int begin, int end) {
     v8d w_sum = splat(0.0), p_sum = w_sum, hx = w_sum, hz = w_sum, us = w_sum, ws = w_sum;
     for (int slot = a.rows.wall_point_begin[s]; slot < a.rows.wall_point_end[s]; slot += lanes) {
       const std::int32_t* index = a.rows.wall_point_index + slot;
+      const FourLanes motion = gather(a.fluid.motion, index), state = gather(a.fluid.state, index);
       const PairGeometry g =
-          pair_geometry<periodic>(c, a.fluid.x, a.fluid.z, a.wall.x[k], a.wall.z[k], index);
+          pair_geometry<periodic>(c, a.wall.x[k], a.wall.z[k], motion.a, motion.b);
       const v8d w = kernel_w(c.kernel, g.q, g.t);
-      const v8d rho_w = gather(a.fluid.density, index) * w;
+      const v8d rho_w = state.b * w;
       w_sum += w;
-      p_sum += gather(a.fluid.pressure, index) * w;
+      p_sum += state.c * w;
       hx += rho_w * g.rx;
       hz += rho_w * g.rz;
-      us += gather(a.fluid.u, index) * w;
-      ws += gather(a.fluid.w, index) * w;
+      us += motion.c * w;
+      ws += motion.d * w;
     }
     const double total = sum_lanes(w_sum);
     const double inverse = total > 0.0 ? 1.0 / total : 0.0;
@@ -32,6 +33,7 @@ static void extrapolate(const FlowArrays& a, int begin, int end) {
     a.wall.pressure[k] = p > 0.0 ? p : 0.0;  // a wall does not pull
     a.wall.fluid_u[k] = sum_lanes(us) * inverse;
     a.wall.fluid_w[k] = sum_lanes(ws) * inverse;
+    a.wall.state[k] = {{a.wall.pressure[k], a.wall.fluid_u[k], a.wall.fluid_w[k], 0.0}};
   }
 }
 
