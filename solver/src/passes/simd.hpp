@@ -14,6 +14,7 @@
 namespace parapet::solver {
 
 typedef double v8d __attribute__((vector_size(64)));
+typedef double v4d __attribute__((vector_size(32)));
 typedef std::int64_t v8m __attribute__((vector_size(64)));
 
 #define PARAPET_INLINE static inline __attribute__((always_inline))
@@ -36,16 +37,22 @@ struct TwoLanes {
 };
 
 #if defined(__AVX512F__)
+// Shuffles by the compiler: GCC 12 warns of its own 512-bit intrinsics (its bug 105593).
 PARAPET_INLINE FourLanes gather(const Record* records, const std::int32_t* index) {
   const auto two = [&](int first, int second) {
-    const __m512d low = _mm512_castpd256_pd512(_mm256_load_pd(records[index[first]].value));
-    return _mm512_insertf64x4(low, _mm256_load_pd(records[index[second]].value), 1);
+    const v4d low = (v4d)_mm256_load_pd(records[index[first]].value);
+    const v4d high = (v4d)_mm256_load_pd(records[index[second]].value);
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
   };
-  const __m512d p0 = two(0, 2), p1 = two(1, 3), p2 = two(4, 6), p3 = two(5, 7);
-  const __m512d ac0 = _mm512_unpacklo_pd(p0, p1), bd0 = _mm512_unpackhi_pd(p0, p1);
-  const __m512d ac1 = _mm512_unpacklo_pd(p2, p3), bd1 = _mm512_unpackhi_pd(p2, p3);
-  return {(v8d)_mm512_shuffle_f64x2(ac0, ac1, 0x88), (v8d)_mm512_shuffle_f64x2(bd0, bd1, 0x88),
-          (v8d)_mm512_shuffle_f64x2(ac0, ac1, 0xdd), (v8d)_mm512_shuffle_f64x2(bd0, bd1, 0xdd)};
+  const v8d p0 = two(0, 2), p1 = two(1, 3), p2 = two(4, 6), p3 = two(5, 7);
+  const v8d ac0 = __builtin_shufflevector(p0, p1, 0, 8, 2, 10, 4, 12, 6, 14);
+  const v8d bd0 = __builtin_shufflevector(p0, p1, 1, 9, 3, 11, 5, 13, 7, 15);
+  const v8d ac1 = __builtin_shufflevector(p2, p3, 0, 8, 2, 10, 4, 12, 6, 14);
+  const v8d bd1 = __builtin_shufflevector(p2, p3, 1, 9, 3, 11, 5, 13, 7, 15);
+  return {__builtin_shufflevector(ac0, ac1, 0, 1, 4, 5, 8, 9, 12, 13),
+          __builtin_shufflevector(bd0, bd1, 0, 1, 4, 5, 8, 9, 12, 13),
+          __builtin_shufflevector(ac0, ac1, 2, 3, 6, 7, 10, 11, 14, 15),
+          __builtin_shufflevector(bd0, bd1, 2, 3, 6, 7, 10, 11, 14, 15)};
 }
 
 // The first two values of eight records, or eight pairs.
@@ -55,12 +62,13 @@ PARAPET_INLINE TwoLanes gather_two(const Element* elements, const std::int32_t* 
     const auto at = [&](int k) {
       return _mm_load_pd(reinterpret_cast<const double*>(elements + index[first + k]));
     };
-    const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(2), 1);
-    const __m256d high = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(4)), at(6), 1);
-    return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
+    const v4d low = (v4d)_mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(2), 1);
+    const v4d high = (v4d)_mm256_insertf128_pd(_mm256_castpd128_pd256(at(4)), at(6), 1);
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
   };
-  const __m512d even = four(0), odd = four(1);
-  return {(v8d)_mm512_unpacklo_pd(even, odd), (v8d)_mm512_unpackhi_pd(even, odd)};
+  const v8d even = four(0), odd = four(1);
+  return {__builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14),
+          __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)};
 }
 #elif defined(__AVX__)
 PARAPET_INLINE v8d join(__m256d low, __m256d high) {
@@ -172,8 +180,9 @@ PARAPET_INLINE v8d sqrt_lanes(v8d v) {
 PARAPET_INLINE double sum_lanes(v8d v) {
 #if defined(__AVX__)
 #if defined(__AVX512F__)
-  const __m256d four =
-      _mm256_add_pd(_mm512_castpd512_pd256((__m512d)v), _mm512_extractf64x4_pd((__m512d)v, 1));
+  const v4d low = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+  const v4d high = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+  const __m256d four = (__m256d)(low + high);
 #else
   const union {
     v8d all;
