@@ -100,7 +100,8 @@ void advance_to(Flow& flow, double time) {
 void prepare(Flow& flow) {
   flow.prepare_neighbors();
   flow.update_pressure();
-  flow.update_gradients();
+  flow.extrapolate_walls();
+  flow.update_gradients(0.0);
 }
 
 FlowSetup developed_flow(double spacing, double time, int refinement) {

@@ -100,6 +100,7 @@ solver::Numerics read_numerics(const Json& resolved) {
   numerics.cfl_force = number(json, "cfl_force");
   numerics.cfl_viscous = number(json, "cfl_viscous");
   numerics.cg_tolerance = number(json, "cg_tolerance_m_s2");
+  numerics.steps_per_solve = whole<int>(json, "steps_per_solve");
   numerics.cg_max_iterations = whole<int>(json, "cg_max_iterations");
   numerics.hydrostatic_start = json.at("hydrostatic_start").get<bool>();
   numerics.lattice_jitter = number(json, "lattice_jitter");

@@ -20,6 +20,10 @@ constexpr double density_limit = 0.5;
 // Spray is not stretched below this share of rho_0. Closer to 1 than the compression of material at
 // rest it would swell with every bounce.
 constexpr double thinnest_spray = 0.999;
+
+// Shifting evens out the places like a diffusion of h u_max; kept unchanged for too long it
+// overshoots. A share of dx that a particle may cover at u_max meanwhile: twice this is stable.
+constexpr double farthest_shift = 0.15;
 constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
 constexpr double shortest_step = 1e-10;  // [s]
 
@@ -33,7 +37,7 @@ Flow::Flow(FlowSetup setup)
             setup_.numerics.skin_ratio * smoothing_length(), setup_.periodic_length),
       integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
                       ? make_rk4_explicit()
-                      : make_implicit_viscosity()),
+                      : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
       impulses_(at(setup_.n_barriers)) {
   fluid_.assign(setup_.particles);
   // the ghost point that pads the rows
@@ -147,16 +151,20 @@ void Flow::update_pressure() {
   }
 }
 
-void Flow::update_gradients() {
+void Flow::extrapolate_walls() {
+  const StageScope scope(setup_.timer, Stage::wall_boundary);
+  const FlowArrays a = arrays();
+  for_blocks(a.rows.n_active, threads(),
+             [&](int begin, int end) { passes_.extrapolate_walls(a, begin, end); });
+}
+
+void Flow::update_gradients(double interval) {
   const StageScope scope(setup_.timer, Stage::gradients);
   const FlowArrays a = arrays();
-  {
-    const StageScope walls(setup_.timer, Stage::wall_boundary);
-    for_blocks(a.rows.n_active, threads(),
-               [&](int begin, int end) { passes_.extrapolate_walls(a, begin, end); });
-  }
-  const ShiftingSettings settings{smoothing_length(), max_speed_, setup_.numerics.shifting_factor,
-                                  a.constants.no_slip};
+  const double stable = farthest_shift * setup_.numerics.spacing;
+  const ShiftingSettings settings{smoothing_length(),
+                                  interval * max_speed_ > stable ? stable / interval : max_speed_,
+                                  setup_.numerics.shifting_factor, a.constants.no_slip};
   const GradientSums sums = fluid_.gradient_sums();
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     passes_.gradient_sums(a, sums, begin, end);
@@ -259,7 +267,8 @@ void Flow::refresh() {
   if (statistics_.steps > 0) return;
   prepare_neighbors();
   update_pressure();
-  update_gradients();
+  extrapolate_walls();
+  update_gradients(0.0);
 }
 
 std::optional<Failure> Flow::step(double longest) {

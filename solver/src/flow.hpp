@@ -90,7 +90,9 @@ class Flow {
   void prepare_neighbors();   // rebuilds the rows when they are outdated
   void find_reached_pairs();  // among the rows' pairs; whenever particles have moved
   void update_pressure();     // Eq. 2 and the volumes
-  void update_gradients();    // walls, Eq. 8-11, Eq. 13-15
+  void extrapolate_walls();   // the fluid's pressure and velocity at the wall points
+  // Eq. 8-11, Eq. 13-15; the shifting velocity will be kept for `interval` [s]
+  void update_gradients(double interval);
   void add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az);
   void add_viscous_force(std::vector<double>& ax, std::vector<double>& az);
   bool solve_viscosity(const std::vector<double>& u_star, const std::vector<double>& w_star,

@@ -26,7 +26,7 @@ class Rk4Explicit final : public TimeIntegrator {
         flow.find_reached_pairs();
         flow.update_pressure();
       }
-      derive(flow);
+      derive(flow, dt);
       if (stage == 0) flow.measure_barrier_load(dt);
       accumulate(sum_, weight[stage], n);
       if (stage < 3) place(f, slope_, next_stage[stage] * dt, n);
@@ -37,11 +37,12 @@ class Rk4Explicit final : public TimeIntegrator {
 
  private:
   // slope_ = d(state)/dt at the fluid's present state.
-  void derive(Flow& flow) {
+  void derive(Flow& flow, double dt) {
     Fluid& f = flow.fluid();
     const auto n = static_cast<std::size_t>(f.n);
     for (auto* a : {&slope_.u, &slope_.w}) a->assign(n + 1, 0.0);
-    flow.update_gradients();
+    flow.extrapolate_walls();
+    flow.update_gradients(dt);
     flow.add_body_and_pressure_force(slope_.u, slope_.w);
     if (!flow.inviscid()) flow.add_viscous_force(slope_.u, slope_.w);
     flow.update_density_rate();

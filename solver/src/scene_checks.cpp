@@ -127,6 +127,8 @@ std::vector<std::string> numerics_errors(const Numerics& n) {
   f.require(n.cfl_viscous > 0.0 && n.cfl_viscous <= 0.5, "viscous CFL number", n.cfl_viscous, "",
             "more than 0 to 0.5");
   f.require(n.cg_tolerance > 0.0, "viscous solve tolerance", n.cg_tolerance, "m/s2", "more than 0");
+  f.require(n.steps_per_solve >= 1 && n.steps_per_solve <= 10, "steps per viscous solve",
+            n.steps_per_solve, "", "1 to 10");
   f.require(n.cg_max_iterations >= 1, "viscous solve iterations", n.cg_max_iterations, "",
             "1 or more");
   f.require(n.lattice_jitter >= 0.0 && n.lattice_jitter <= 0.4, "lattice jitter", n.lattice_jitter,

@@ -19,7 +19,7 @@ class TimeIntegrator {
   virtual std::optional<Failure> advance(Flow& flow, double dt) = 0;
 };
 
-std::unique_ptr<TimeIntegrator> make_implicit_viscosity();
+std::unique_ptr<TimeIntegrator> make_implicit_viscosity(int steps_per_solve);
 std::unique_ptr<TimeIntegrator> make_rk4_explicit();
 
 }  // namespace parapet::solver

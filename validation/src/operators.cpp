@@ -51,7 +51,8 @@ FlowSetup operator_block(int across, double smoothing, bool settled) {
 void evaluate(Flow& flow) {
   flow.prepare_neighbors();
   flow.update_pressure();
-  flow.update_gradients();
+  flow.extrapolate_walls();
+  flow.update_gradients(0.0);
 }
 
 namespace {

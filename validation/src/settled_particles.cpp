@@ -39,7 +39,8 @@ void settle(FlowSetup& setup, double jitter, int steps) {
     }
     flow.prepare_neighbors();
     flow.update_pressure();
-    flow.update_gradients();
+    flow.extrapolate_walls();
+    flow.update_gradients(0.0);
     const solver::GradientSums sums = f.gradient_sums();
     // about a third of the largest factor that does not overshoot
     const double factor = -0.1 * h * h;

@@ -157,7 +157,8 @@ void pack(FlowSetup& setup, const Tank& tank) {
   const double h = flow.smoothing_length(), dx = tank.spacing;
   for (int iteration = 0; iteration < 300; ++iteration) {
     flow.prepare_neighbors();
-    flow.update_gradients();
+    flow.extrapolate_walls();
+    flow.update_gradients(0.0);
     const solver::GradientSums sums = f.gradient_sums();
     for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
       const Vec2 at{f.x[i], f.z[i]};

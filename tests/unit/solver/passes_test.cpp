@@ -239,7 +239,8 @@ TEST(Passes, RenormalisedGradientsAreExactForLinearFields) {
   Flow flow(std::move(setup));
   flow.prepare_neighbors();
   flow.update_pressure();
-  flow.update_gradients();
+  flow.extrapolate_walls();
+  flow.update_gradients(0.0);
   const Fluid& f = static_cast<const Flow&>(flow).fluid();
   // 2 S:S = 2 (4 + 4) + (3 + 5)^2 = 80; at the surface part of the pairs that shear is missing
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
@@ -265,7 +266,8 @@ TEST(Passes, ShiftingMovesDisplacedParticlesBackAndLeavesTheSurfaceAlone) {
   Flow flow(std::move(setup));
   flow.prepare_neighbors();
   flow.update_pressure();
-  flow.update_gradients();
+  flow.extrapolate_walls();
+  flow.update_gradients(0.0);
   Fluid& f = flow.fluid();
   constexpr double largest_speed = 2.0;
   finish_gradients(f, {h, largest_speed, 1.0, false}, 0, f.n);
@@ -299,7 +301,8 @@ TEST(Passes, ViscousPowerIsTheDissipationOfTheShearRates) {
   Flow flow(std::move(setup));
   flow.prepare_neighbors();
   flow.update_pressure();
-  flow.update_gradients();
+  flow.extrapolate_walls();
+  flow.update_gradients(0.0);
   const Fluid& f = static_cast<const Flow&>(flow).fluid();
   std::vector<double> ax(f.x.size(), 0.0), az = ax;
   flow.add_viscous_force(ax, az);

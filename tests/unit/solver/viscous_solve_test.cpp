@@ -28,7 +28,8 @@ std::unique_ptr<Flow> free_block() {
   auto flow = std::make_unique<Flow>(std::move(setup));
   flow->prepare_neighbors();
   flow->update_pressure();
-  flow->update_gradients();
+  flow->extrapolate_walls();
+  flow->update_gradients(0.0);
   return flow;
 }
 
