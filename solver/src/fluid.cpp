@@ -22,8 +22,6 @@ std::vector<std::vector<double>*> Fluid::arrays() {
           &shear_rate,
           &quadrature,
           &pair_viscosity,
-          &du,
-          &dw,
           &viscous_ax,
           &viscous_az,
           &lambda,
@@ -78,27 +76,11 @@ void Fluid::set_ghost() {
 void Fluid::permute(std::span<const std::int32_t> order) {
   const std::size_t count = order.size();
   scratch_.resize(count + 1);
-  for (auto* array : {&x,
-                      &z,
-                      &u,
-                      &w,
-                      &density,
-                      &mass,
-                      &du,
-                      &dw,
-                      &viscous_ax,
-                      &viscous_az,
-                      &lambda,
-                      &closeness,
-                      &viscosity,
-                      &pair_viscosity,
-                      &quadrature,
-                      &shear_rate,
-                      &shift_u,
-                      &shift_w,
-                      &tic,
-                      &density_grad_x,
-                      &density_grad_z}) {
+  for (auto* array :
+       {&x, &z, &u, &w, &density, &mass,
+
+        &viscous_ax, &viscous_az, &lambda, &closeness, &viscosity, &pair_viscosity, &quadrature,
+        &shear_rate, &shift_u, &shift_w, &tic, &density_grad_x, &density_grad_z}) {
     for (std::size_t k = 0; k < count; ++k) {
       scratch_[k] = (*array)[static_cast<std::size_t>(order[k])];
     }

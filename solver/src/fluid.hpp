@@ -32,8 +32,7 @@ struct Fluid {
   std::vector<double> exchange_x, exchange_z;          // momentum that comes with the mass
   std::vector<double> density_grad_x, density_grad_z;  // Eq. 8
   std::vector<double> sums[18];                        // of the gradient pass
-  std::vector<double> du, dw;                          // change between the last two solves [m/s]
-  std::vector<double> viscous_ax, viscous_az;          // viscous part of it [m/s2]
+  std::vector<double> viscous_ax, viscous_az;          // viscous acceleration of the last solve
   std::vector<Record> motion, state, shift;            // packed, see FluidView
   std::vector<std::int32_t> id;                        // of the particle at release
 

@@ -19,7 +19,7 @@ class ImplicitViscosity final : public TimeIntegrator {
   explicit ImplicitViscosity(int steps_per_solve)
       : steps_per_solve_(steps_per_solve), steps_(steps_per_solve - 1) {}
 
-  double default_acoustic_cfl() const override { return 0.8; }
+  double default_acoustic_cfl() const override { return 1.0; }
   bool explicit_viscosity() const override { return false; }
 
   std::optional<Failure> advance(Flow& flow, double dt) override {
@@ -54,25 +54,21 @@ class ImplicitViscosity final : public TimeIntegrator {
   bool solve_viscosity(Flow& flow, double dt) {
     Fluid& f = flow.fluid();
     const auto n = static_cast<std::size_t>(f.n);
-    for (auto* a : {&u_star_, &w_star_, &u_guess_, &w_guess_}) a->resize(n + 1);
+    for (auto* a : {&u_star_, &w_star_, &u_, &w_}) a->resize(n + 1);
     const double interval = since_solve_ + dt;
-    const double ratio = last_interval_ > 0.0 ? dt / last_interval_ : 0.0;
     for (std::size_t i = 0; i < n; ++i) {
       u_star_[i] = f.u[i] - since_solve_ * f.viscous_ax[i] + dt * ax_[i];
       w_star_[i] = f.w[i] - since_solve_ * f.viscous_az[i] + dt * az_[i];
-      u_guess_[i] = f.u[i] + ratio * f.du[i];
-      w_guess_[i] = f.w[i] + ratio * f.dw[i];
+      u_[i] = u_star_[i] + interval * f.viscous_ax[i];
+      w_[i] = w_star_[i] + interval * f.viscous_az[i];
     }
-    if (!flow.solve_viscosity(u_star_, w_star_, u_guess_, w_guess_, interval)) return false;
+    if (!flow.solve_viscosity(u_star_, w_star_, u_, w_, interval)) return false;
     for (std::size_t i = 0; i < n; ++i) {
-      f.du[i] = u_guess_[i] - f.u[i];
-      f.dw[i] = w_guess_[i] - f.w[i];
-      f.viscous_ax[i] = (u_guess_[i] - u_star_[i]) / interval;
-      f.viscous_az[i] = (w_guess_[i] - w_star_[i]) / interval;
+      f.viscous_ax[i] = (u_[i] - u_star_[i]) / interval;
+      f.viscous_az[i] = (w_[i] - w_star_[i]) / interval;
     }
-    std::copy_n(u_guess_.begin(), n, f.u.begin());
-    std::copy_n(w_guess_.begin(), n, f.w.begin());
-    last_interval_ = dt;
+    std::copy_n(u_.begin(), n, f.u.begin());
+    std::copy_n(w_.begin(), n, f.w.begin());
     since_solve_ = 0.0;
     return true;
   }
@@ -89,9 +85,9 @@ class ImplicitViscosity final : public TimeIntegrator {
   }
 
   int steps_per_solve_;
-  int steps_;                                       // since the last solve
-  double since_solve_ = 0.0, last_interval_ = 0.0;  // [s]
-  std::vector<double> ax_, az_, u_star_, w_star_, u_guess_, w_guess_;
+  int steps_;                 // since the last solve
+  double since_solve_ = 0.0;  // [s]
+  std::vector<double> ax_, az_, u_star_, w_star_, u_, w_;
 };
 
 }  // namespace

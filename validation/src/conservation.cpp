@@ -87,7 +87,8 @@ constexpr double tank_length = 0.6;    // [m]
 constexpr double frame_time = 0.5;     // [s]
 constexpr double arrival_time = 0.15;  // [s] before it nothing has met the block
 
-constexpr std::array<double, 4> skins{0.19, 0.22, 0.28, 0.31};  // instead of 0.25 [h]
+constexpr std::array<double, 8> skins{0.30, 0.34, 0.38, 0.42,
+                                      0.48, 0.52, 0.56, 0.60};  // instead of 0.45 [h]
 
 // Table 1 debris let go in a tank that slopes by 26 deg, with a block that it runs up and over. All
 // lengths are whole spacings, so that wall points lie the same whichever end they start from.
