@@ -74,6 +74,15 @@ bool Flow::inviscid() const {
 }
 
 FlowArrays Flow::arrays() {
+  pack(&Fluid::pack);
+  return packed_arrays();
+}
+
+void Flow::pack(void (Fluid::*records)(int, int)) {
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) { (fluid_.*records)(begin, end); });
+}
+
+FlowArrays Flow::packed_arrays() {
   const Numerics& numerics = setup_.numerics;
   FlowConstants c;
   c.kernel = make_kernel(smoothing_length(), numerics.spacing);
@@ -101,7 +110,6 @@ FlowArrays Flow::arrays() {
                       wall_place_.data(),
                       wall_face_.data(),
                       wall_state_.data()};
-  for_blocks(fluid_.n, threads(), [&](int begin, int end) { fluid_.pack(begin, end); });
   RowView rows = rows_.view();
   rows.begin = reached_begin_.data();
   rows.wall_begin = reached_wall_begin_.data();
@@ -116,6 +124,7 @@ void Flow::prepare_neighbors() {
   if (outdated) {
     const StageScope build(setup_.timer, Stage::neighbor_rows);
     rows_.build(fluid_, threads());
+    pack(&Fluid::pack);  // the particles stand in another order now
     ++statistics_.neighbor_builds;
   }
   find_reached_pairs();
@@ -128,7 +137,8 @@ void Flow::find_reached_pairs() {
   for (auto* a : {&reached_begin_, &reached_wall_begin_, &reached_end_}) a->resize(at(fluid_.n));
   // a vector is stored whole before its pairs are counted
   reached_index_.resize(static_cast<std::size_t>(rows_.fluid_slots()) + lanes);
-  FlowArrays a = arrays();
+  pack(&Fluid::pack_motion);
+  FlowArrays a = packed_arrays();
   a.rows = rows_.view();
   const ReachedRows reached{reached_begin_.data(), reached_wall_begin_.data(), reached_end_.data(),
                             reached_index_.data()};
@@ -149,18 +159,20 @@ void Flow::update_pressure() {
     }
     fluid_.volume[i] = fluid_.mass[i] / fluid_.density[i];
   }
+  pack(&Fluid::pack_state);
 }
 
 void Flow::extrapolate_walls() {
   const StageScope scope(setup_.timer, Stage::wall_boundary);
-  const FlowArrays a = arrays();
+  pack(&Fluid::pack_motion);
+  const FlowArrays a = packed_arrays();
   for_blocks(a.rows.n_active, threads(),
              [&](int begin, int end) { passes_.extrapolate_walls(a, begin, end); });
 }
 
 void Flow::update_gradients(double interval) {
   const StageScope scope(setup_.timer, Stage::gradients);
-  const FlowArrays a = arrays();
+  const FlowArrays a = packed_arrays();
   const double stable = farthest_shift * setup_.numerics.spacing;
   const ShiftingSettings settings{smoothing_length(),
                                   interval * max_speed_ > stable ? stable / interval : max_speed_,
@@ -174,11 +186,14 @@ void Flow::update_gradients(double interval) {
       fluid_.pair_viscosity[i] = fluid_.quadrature[i] * fluid_.viscosity[i];
     }
   });
+  // only now: meanwhile other particles were looking at the old viscosities
+  pack(&Fluid::pack_state);
+  pack(&Fluid::pack_shift);
 }
 
 void Flow::add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az) {
   const StageScope scope(setup_.timer, Stage::pressure_force);
-  const FlowArrays a = arrays();
+  const FlowArrays a = packed_arrays();
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     passes_.pressure_force(a, ax.data(), az.data(), begin, end);
     for (std::size_t i = at(begin); i < at(end); ++i) {
@@ -190,7 +205,7 @@ void Flow::add_body_and_pressure_force(std::vector<double>& ax, std::vector<doub
 
 void Flow::add_viscous_force(std::vector<double>& ax, std::vector<double>& az) {
   const StageScope scope(setup_.timer, Stage::viscous_force);
-  const FlowArrays a = arrays();
+  const FlowArrays a = packed_arrays();
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     passes_.viscous_force(a, ax.data(), az.data(), begin, end);
   });
@@ -202,7 +217,7 @@ bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<
   const ViscousSolve::Settings settings{setup_.numerics.cg_tolerance,
                                         setup_.numerics.cg_max_iterations, threads(), setup_.timer};
   const auto outcome =
-      viscous_.solve(passes_, arrays(), fluid_, u_star, w_star, u, w, dt, settings);
+      viscous_.solve(passes_, packed_arrays(), fluid_, u_star, w_star, u, w, dt, settings);
   statistics_.cg_iterations += outcome.iterations;
   if (setup_.timer) setup_.timer->add_visits(Stage::conjugate_gradients, outcome.iterations);
   return outcome.converged;
@@ -210,7 +225,8 @@ bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<
 
 void Flow::update_density_rate() {
   const StageScope scope(setup_.timer, Stage::density_rate);
-  const FlowArrays a = arrays();
+  pack(&Fluid::pack_motion);
+  const FlowArrays a = packed_arrays();
   const ShiftedRates rates{fluid_.density_rate.data(), fluid_.mass_rate.data(),
                            fluid_.exchange_x.data(), fluid_.exchange_z.data()};
   for_blocks(fluid_.n, threads(),

@@ -99,13 +99,15 @@ class Flow {
                        std::vector<double>& u, std::vector<double>& w, double dt);
   void update_density_rate();            // Eq. 6-7, with the shifting
   void measure_barrier_load(double dt);  // adds to the impulses
-  FlowArrays arrays();                   // what the passes see
+  FlowArrays arrays();                   // what the passes see, its records up to date
   int threads() const { return setup_.threads; }
   bool inviscid() const;
 
  private:
   std::optional<Failure> check_state();
   void stop_at_walls();
+  FlowArrays packed_arrays();                   // with the records as they are
+  void pack(void (Fluid::*records)(int, int));  // brings some of them up to date
   void remove_departed();
 
   FlowSetup setup_;

@@ -21,7 +21,8 @@ Vec2 moment_center(const Solids& solids, const Face& face) {
 void Flow::measure_barrier_load(double dt) {
   if (impulses_.empty()) return;
   const StageScope scope(setup_.timer, Stage::wall_load);
-  const FlowArrays a = arrays();
+  pack(&Fluid::pack_motion);
+  const FlowArrays a = packed_arrays();
   const std::int32_t* active = a.rows.active_wall;
   const auto first = static_cast<int>(
       std::lower_bound(active, active + a.rows.n_active, first_barrier_point_) - active);

@@ -129,12 +129,28 @@ FluidView Fluid::view() const {
           shift.data()};
 }
 
-void Fluid::pack(int begin, int end) {
+void Fluid::pack_motion(int begin, int end) {
   for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
     motion[i] = {{x[i], z[i], u[i], w[i]}};
+  }
+}
+
+void Fluid::pack_state(int begin, int end) {
+  for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
     state[i] = {{volume[i], density[i], pressure[i], pair_viscosity[i]}};
+  }
+}
+
+void Fluid::pack_shift(int begin, int end) {
+  for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
     shift[i] = {{shift_u[i], shift_w[i], density_grad_x[i], density_grad_z[i]}};
   }
+}
+
+void Fluid::pack(int begin, int end) {
+  pack_motion(begin, end);
+  pack_state(begin, end);
+  pack_shift(begin, end);
 }
 
 GradientSums Fluid::gradient_sums() {

@@ -43,6 +43,9 @@ struct Fluid {
   void remove(std::span<const std::int32_t> indices);
   // Brings the records of [begin, end) up to date with the arrays; the ghost's with end = n + 1.
   void pack(int begin, int end);
+  void pack_motion(int begin, int end);
+  void pack_state(int begin, int end);
+  void pack_shift(int begin, int end);
   FluidView view() const;
   GradientSums gradient_sums();
 
