@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -64,22 +65,34 @@ void interpolate(const solver::FlowArrays& a, int i, InitialParticle& p) {
   p.density = density / sum;
 }
 
+std::vector<InitialParticle> particles_of(const Flow& flow) {
+  const solver::Fluid& f = flow.fluid();
+  std::vector<InitialParticle> particles;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(f.n); ++k) {
+    particles.push_back({f.x[k], f.z[k], f.u[k], f.w[k], f.density[k], f.mass[k]});
+  }
+  return particles;
+}
+
+// Finer particles on a lattice wherever the flow is: cutting up its own, which overlap here and
+// there, would leave particles in one place.
 std::vector<InitialParticle> refined(Flow& flow, int refinement) {
   flow.prepare_neighbors();
   const solver::FlowArrays a = flow.arrays();
   const solver::Fluid& f = std::as_const(flow).fluid();
   const double dx = flow.setup().numerics.spacing, fine = dx / refinement;
+  std::set<std::pair<int, int>> taken;
   std::vector<InitialParticle> particles;
+  const auto first = [&](double x) { return static_cast<int>(std::ceil((x - 0.5 * dx) / fine)); };
   for (int i = 0; i < f.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    InitialParticle p{f.x[k], f.z[k],       f.u[k],
-                      f.w[k], f.density[k], f.mass[k] / (refinement * refinement)};
-    for (int kx = 0; kx < refinement; ++kx) {
-      for (int kz = 0; kz < refinement; ++kz) {
-        p.x = f.x[k] - 0.5 * dx + (kx + 0.5) * fine;
-        p.z = f.z[k] - 0.5 * dx + (kz + 0.5) * fine;
-        if (refinement > 1 && near_a_wall(flow.solids(), {p.x, p.z}, 0.1 * fine)) continue;
-        if (refinement > 1) interpolate(a, i, p);
+    for (int kx = first(f.x[k]); kx < first(f.x[k]) + refinement; ++kx) {
+      for (int kz = first(f.z[k]); kz < first(f.z[k]) + refinement; ++kz) {
+        InitialParticle p{(kx + 0.5) * fine, (kz + 0.5) * fine, 0.0, 0.0, 0.0, 0.0};
+        if (near_a_wall(flow.solids(), {p.x, p.z}, 0.1 * fine)) continue;
+        if (!taken.insert({kx, kz}).second) continue;
+        interpolate(a, i, p);
+        p.mass = p.density * fine * fine;
         particles.push_back(p);
       }
     }
@@ -108,13 +121,13 @@ FlowSetup developed_flow(double spacing, double time, int refinement) {
   Flow flow(solver::channel_setup(h10_d45(), numerics_of(spacing), 1));
   advance_to(flow, time);
   FlowSetup setup = solver::channel_setup(h10_d45(), numerics_of(spacing / refinement), 1);
-  setup.particles = refined(flow, refinement);
+  setup.particles = refinement == 1 ? particles_of(flow) : refined(flow, refinement);
   if (refinement == 1) return setup;
   FlowSetup fresh = setup;
   fresh.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   Flow fine(std::move(fresh));
   advance(fine, std::min(200, 40 * refinement));
-  setup.particles = refined(fine, 1);
+  setup.particles = particles_of(fine);
   return setup;
 }
 
