@@ -131,13 +131,13 @@ TEST(Simulation, AFailureIsDataWithAReason) {
 }
 
 TEST(Simulation, StoppingOnceSettledDoesNotChangeTheAnswer) {
-  RunOptions early = until(4.0);
+  RunOptions early = until(6.0);
   early.settled.enabled = true;
   const Scene scene = deflector_scene();
   const Result settled = simulate(scene, coarse(), early);
-  const Result whole = simulate(scene, coarse(), until(4.0));
+  const Result whole = simulate(scene, coarse(), until(6.0));
   ASSERT_EQ(settled.stop_reason, StopReason::settled);
-  EXPECT_LT(settled.stop_time, 3.9);
+  EXPECT_LT(settled.stop_time, 5.9);  // at 4 s what has overflowed still runs down the channel
   for (const char* key : {"retention_efficiency", "launch_length_m", "barrier_1_peak_force_n_per_m",
                           "barrier_1_run_up_height_m", "dead_zone_length_m"}) {
     const Metric *a = settled.find_metric(key), *b = whole.find_metric(key);
