@@ -12,7 +12,7 @@
 namespace parapet::bench {
 namespace {
 
-// 60,000 particles of 1 mm.
+// Particles of 1 mm, as many as the developed flow has room for (53,000).
 const solver::FlowSetup& fine_flow() {
   static const solver::FlowSetup setup = developed_flow(0.005, 0.7, 5);
   return setup;

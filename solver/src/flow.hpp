@@ -85,7 +85,8 @@ class Flow {
   void refresh();
   double smoothing_length() const;
 
-  // The terms, for the time integrations; each reads the present state.
+  // The terms, for the time integrations. Those that visit pairs see places as of the last
+  // prepare_neighbors, densities and pressures as of the last update_pressure.
   Fluid& fluid() { return fluid_; }
   void prepare_neighbors();   // rebuilds the rows when they are outdated
   void find_reached_pairs();  // among the rows' pairs; whenever particles have moved

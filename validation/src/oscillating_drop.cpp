@@ -65,7 +65,7 @@ struct Drop {
 using solver::Numerics;
 const std::vector<Drop> variants{
     {30, 1.33, 2.0, "time_step", "a third of the time step",
-     [](Numerics& n) { n.cfl_acoustic = 0.8 / 3.0; }},
+     [](Numerics& n) { n.cfl_acoustic = 1.0 / 3.0; }},
     {30, 1.33, 2.0, "rk4", "rk4_explicit",
      [](Numerics& n) { n.integrator = solver::Integrator::rk4_explicit; }},
     {30, 1.33, 2.0, "fast_sound", "twice the sound speed",

@@ -65,6 +65,7 @@ TEST(CaseDefaults, AreTheNumericsDefaults) {
   EXPECT_EQ(numerics.cfl_force, expected.cfl_force);
   EXPECT_EQ(numerics.cfl_viscous, expected.cfl_viscous);
   EXPECT_EQ(numerics.cg_tolerance, expected.cg_tolerance);
+  EXPECT_EQ(numerics.steps_per_solve, expected.steps_per_solve);
   EXPECT_EQ(numerics.cg_max_iterations, expected.cg_max_iterations);
   EXPECT_EQ(numerics.hydrostatic_start, expected.hydrostatic_start);
   EXPECT_EQ(numerics.lattice_jitter, expected.lattice_jitter);
@@ -97,7 +98,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
     "numerics": {"spacing_m": 0.02, "smoothing_ratio": 1.5, "sound_speed_m_s": 50,
                  "density_diffusion": 0.2, "shifting_factor": 0.5, "skin_ratio": 0.3,
                  "cfl_acoustic": 0.4, "cfl_force": 0.2, "cfl_viscous": 0.1,
-                 "cg_tolerance_m_s2": 0.001, "cg_max_iterations": 7.0,
+                 "cg_tolerance_m_s2": 0.001, "steps_per_solve": 2, "cg_max_iterations": 7.0,
                  "hydrostatic_start": false, "lattice_jitter": 0.1, "lattice_seed": 9,
                  "integrator": "rk4_explicit"},
     "run": {"stop_time_s": 3, "series_interval_s": 0.01, "frame_interval_s": 0.05,
@@ -128,6 +129,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
   EXPECT_EQ(spec.numerics.cfl_force, 0.2);
   EXPECT_EQ(spec.numerics.cfl_viscous, 0.1);
   EXPECT_EQ(spec.numerics.cg_tolerance, 0.001);
+  EXPECT_EQ(spec.numerics.steps_per_solve, 2);
   EXPECT_EQ(spec.numerics.cg_max_iterations, 7);
   EXPECT_FALSE(spec.numerics.hydrostatic_start);
   EXPECT_EQ(spec.numerics.lattice_jitter, 0.1);

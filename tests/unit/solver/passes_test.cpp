@@ -285,6 +285,31 @@ TEST(Passes, ShiftingMovesDisplacedParticlesBackAndLeavesTheSurfaceAlone) {
   }
 }
 
+// Eq. 9 is proportional to u_max. Kept for a time T it may not carry a particle at that speed farther
+// than 0.15 dx: beyond, the velocity falls with 1/T.
+TEST(Passes, ShiftingThatIsKeptForLongIsSlower) {
+  FlowSetup setup;
+  setup.numerics.spacing = dx;
+  setup.particles = lattice_block(0.0, 0.0, 0.2, 0.2, dx, setup.material.density);
+  constexpr double speed = 3.0;
+  for (InitialParticle& p : setup.particles) p.u = speed;
+  constexpr std::size_t displaced = 10 * 20 + 10;  // in the middle
+  setup.particles[displaced].x += 0.3 * dx;
+  Flow flow(std::move(setup));
+  ASSERT_FALSE(flow.step(1e-7));  // looks at the speeds
+  const auto shift_after = [&](double interval) {
+    flow.update_gradients(interval);
+    const Fluid& f = static_cast<const Flow&>(flow).fluid();
+    const auto found = std::find(f.id.begin(), f.id.end(), static_cast<int>(displaced));
+    return f.shift_u[static_cast<std::size_t>(found - f.id.begin())];
+  };
+  const double free = shift_after(0.0), longest = 0.15 * dx / speed;
+  ASSERT_LT(free, -0.01 * speed);
+  EXPECT_EQ(shift_after(0.99 * longest), free);
+  // the step has changed the largest speed by less than a thousandth
+  EXPECT_NEAR(shift_after(4.0 * longest) / free, 0.25, 1e-3);
+}
+
 TEST(Passes, ViscousPowerIsTheDissipationOfTheShearRates) {
   // sum m u . a = -sum V eta g^2 to rounding, whatever the velocities and the viscosities
   FlowSetup setup;

@@ -58,7 +58,8 @@ TEST(SceneChecks, NumericsAndRunOptions) {
   Numerics numerics;
   numerics.spacing = -1.0;
   numerics.cg_max_iterations = 0;
-  EXPECT_EQ(numerics_errors(numerics).size(), 2u);
+  numerics.steps_per_solve = 0;
+  EXPECT_EQ(numerics_errors(numerics).size(), 3u);
   RunOptions options;
   options.threads = 0;
   ASSERT_EQ(run_errors(options).size(), 1u);
