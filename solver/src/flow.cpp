@@ -22,8 +22,9 @@ constexpr double density_limit = 0.5;
 constexpr double thinnest_spray = 0.999;
 
 // Shifting evens out the places like a diffusion of h u_max; kept unchanged for too long it
-// overshoots. A share of dx that a particle may cover at u_max meanwhile: without a bound, runs that
-// kept it for three steps went well, for four they ran away (up to 0.26 and 0.35 dx at 0.1 c_s).
+// overshoots. A share of dx that a particle may cover at u_max meanwhile: without a bound, runs
+// that kept it for three steps went well, for four they ran away (up to 0.26 and 0.35 dx at 0.1
+// c_s).
 constexpr double farthest_shift = 0.15;
 constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
 constexpr double shortest_step = 1e-10;  // [s]

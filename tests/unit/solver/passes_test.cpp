@@ -285,8 +285,8 @@ TEST(Passes, ShiftingMovesDisplacedParticlesBackAndLeavesTheSurfaceAlone) {
   }
 }
 
-// Eq. 9 is proportional to u_max. Kept for a time T it may not carry a particle at that speed farther
-// than 0.15 dx: beyond, the velocity falls with 1/T.
+// Eq. 9 is proportional to u_max. Kept for a time T it may not carry a particle at that speed
+// farther than 0.15 dx: beyond, the velocity falls with 1/T.
 TEST(Passes, ShiftingThatIsKeptForLongIsSlower) {
   FlowSetup setup;
   setup.numerics.spacing = dx;
