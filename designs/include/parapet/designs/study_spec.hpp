@@ -12,26 +12,61 @@
 
 namespace parapet::designs {
 
-/// A value for each design variable, keyed by the variable's name (which carries its unit).
+/// A value for each active design variable, keyed by the variable's name (which carries its unit).
+/// A choice holds the number of its option, from 0. A variable that does not exist under the
+/// options taken is not in the map.
 using Design = std::map<std::string, double>;
+
+enum class VariableKind { continuous, integer, choice };
+
+/// One option of a choice: what it changes in the case, removals first.
+struct Option {
+  std::string name;                  ///< for example "plate" or "none"
+  std::vector<std::string> removes;  ///< JSON pointers into the case, in the order of removal
+  std::map<std::string, Json> sets;  ///< JSON pointer into the case -> value
+};
+
+/// A variable exists only when an earlier choice has taken one of these options.
+struct ActiveWhen {
+  std::string choice;
+  std::vector<int> options;
+};
 
 /// One input of the case that may vary.
 struct Variable {
   std::string name;                  ///< for example deflector_angle_deg
   std::vector<std::string> targets;  ///< JSON pointers into the case that take its value
-  double lower = 0.0;
-  double upper = 0.0;
+  double lower = 0.0;                ///< of a choice: 0
+  double upper = 0.0;                ///< of a choice: the number of options - 1
+  VariableKind kind = VariableKind::continuous;
+  std::vector<Option> options = {};  ///< of a choice
+  std::optional<ActiveWhen> active_when = {};
+};
+
+/// How one number is made of a metric's values over the scenarios, which have weights.
+enum class Statistic {
+  mean,
+  worst,       ///< the least of what is maximised or has a lower limit, else the greatest
+  quantile,    ///< the `quantile` of the weighted values, counted from the good end: 0.9 is the
+               ///< value that 90 % of the events meet or better
+  probability  ///< weight of the scenarios in which the metric is within the limits
 };
 
 enum class Goal { maximize, minimize };
 
-/// A metric that is to be maximised or minimised.
+/// A metric, or a formula of the design variables, that is to be maximised or minimised.
 struct Objective {
-  std::string metric;
+  std::string metric;  ///< empty for an expression
   Goal goal = Goal::maximize;
   double weight = 1.0;
   double scale = 1.0;                       ///< the metric is divided by it before weighting
   std::optional<double> value_when_absent;  ///< used (and logged as such) when there is no value
+  std::string name = {};                    ///< in reports; default: the metric or the expression
+  std::string expression = {};              ///< in the variables' names; needs no simulation
+  Statistic statistic = Statistic::mean;
+  double quantile = 0.9;
+  std::optional<double> lower = {}, upper = {};  ///< of the statistic probability
+  std::optional<double> reference = {};          ///< of the hypervolume, in the objective's unit
 };
 
 /// lower <= value <= upper, on a metric (needs a simulation) or on an expression of the design
@@ -44,19 +79,50 @@ struct Constraint {
   std::optional<double> upper;
   double scale = 1.0;                 ///< violation is divided by it; default: |limit| or 1
   bool satisfied_when_absent = true;  ///< a metric without a value
+  std::optional<double> value_when_absent = {};  ///< stands for the metric where it has no value
+  /// Over the scenarios. worst: every scenario must meet the limits. probability: a share of at
+  /// least `quantile` must.
+  Statistic statistic = Statistic::worst;
+  double quantile = 0.9;
 };
 
-/// How to search: an NLopt algorithm by name.
+/// One event that every design is judged under: changes to the base case.
+struct Scenario {
+  std::string name;
+  double weight = 1.0;                 ///< all weights together are 1
+  std::map<std::string, double> sets;  ///< JSON pointer into the case -> value
+};
+
+/// A particle spacing at which designs may be simulated.
+struct FidelityLevel {
+  double spacing = 0.0;                 ///< [m]
+  std::optional<double> seconds;        ///< CPU time of one simulation, if known [s]
+  std::map<std::string, double> noise;  ///< metric -> standard deviation, in the metric's unit
+};
+
+/// How an NLopt algorithm, which knows one objective, is given several.
+enum class Scalarization { weighted_sum, epsilon_constraint, augmented_chebyshev };
+
+/// How to search.
 struct Method {
-  std::string algorithm = "COBYLA";  ///< NLopt's name without the prefix: COBYLA, BOBYQA, ISRES...
+  /// BAYESIAN; NLopt's name without the prefix (COBYLA, BOBYQA, ISRES...); or a design of
+  /// experiments: SOBOL, LATIN_HYPERCUBE, FULL_FACTORIAL, LIST (the starts and nothing else).
+  std::string algorithm = "BAYESIAN";
   std::string local_algorithm;       ///< for MLSL and AUGLAG; empty for the default
-  int max_evaluations = 40;          ///< simulations, starting designs included
-  double max_time_s = 0.0;           ///< 0: no limit
+  int max_evaluations = 40;          ///< designs, starting ones included
+  double max_time_s = 0.0;           ///< wall time; 0: no limit
   double relative_tolerance = 1e-3;  ///< on the variables, as a share of their range
   std::uint64_t seed = 1;
-  std::vector<Design> starts;  ///< starting designs given by the user
-  int start_count = 0;         ///< further ones from a Sobol' sequence over the bounds
-  double initial_step = 0.25;  ///< share of each range
+  std::vector<Design> starts;   ///< starting designs given by the user
+  int start_count = 0;          ///< further ones from a Sobol' sequence over the bounds
+  double initial_step = 0.25;   ///< share of each range
+  double max_cpu_time_s = 0.0;  ///< sum over all simulations; 0: no limit
+  Scalarization scalarization = Scalarization::weighted_sum;
+  int pareto_points = 5;           ///< scalarised problems that share the budget
+  int points_per_variable = 3;     ///< FULL_FACTORIAL
+  int stagnation_evaluations = 0;  ///< BAYESIAN: stop after so many without a gain; 0: never
+  double least_gain = 0.0;         ///< BAYESIAN: stop below this expected share of the hypervolume
+  bool repeatable = false;         ///< the same designs for the same jobs, however fast each one is
 };
 
 struct StudySpec {
@@ -66,6 +132,8 @@ struct StudySpec {
   std::vector<Variable> variables;
   std::vector<Objective> objectives;
   std::vector<Constraint> constraints;
+  std::vector<Scenario> scenarios;      ///< empty: the base case is the only event
+  std::vector<FidelityLevel> fidelity;  ///< at least one, finest (smallest spacing) first
   Method method;
   Json resolved;  ///< everything with defaults written out
   std::string source_file;
@@ -75,10 +143,18 @@ struct StudySpec {
 StudySpec parse_study(const Json& json, const std::string& file);
 StudySpec load_study(const std::filesystem::path& file);
 
-/// The case of one design: the values go to the variables' targets, then the case is checked.
-/// Bounds are not enforced here (`check_design` does).
+/// The case of one design: the options of choices are applied in the order of the variables, then
+/// the values go to the variables' targets, then a scenario's to its own (null: the base event),
+/// and then the spacing; the case is checked. Bounds are not enforced here (`check_design` does).
 /// @throws InputError when the scene is impossible.
-CaseSpec design_case(const StudySpec& study, const Design& design);
+CaseSpec design_case(const StudySpec& study, const Design& design,
+                     const Scenario* scenario = nullptr, std::optional<double> spacing = {});
+
+/// The option numbers of a design in words: choice -> option's name.
+std::map<std::string, std::string> option_names(const StudySpec& study, const Design& design);
+
+/// Whether a variable exists under the options that a design takes.
+bool is_active(const StudySpec& study, const Variable& variable, const Design& design);
 
 /// Missing, unknown and out-of-bounds variables. Empty when sound.
 std::vector<InputIssue> check_design(const StudySpec& study, const Design& design,

@@ -1,0 +1,59 @@
+/// Expected hypervolume improvement in log space, with noise and constraints.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "parapet/acquisition/hypervolume.hpp"
+
+namespace parapet::acquisition {
+
+/// log of sigma h(x / sigma) with h(t) = phi(t) + t Phi(t): the log of E[max(0, x + sigma Z)].
+/// Accurate where h underflows (t down to -1e150), after Ament et al. (Unexpected improvements to
+/// expected improvement, NeurIPS 2023). sigma = 0 gives log(max(0, x)).
+double log_expected_excess(double x, double sigma);
+
+/// log Phi(t), accurate in the far tail.
+double log_normal_cdf(double t);
+
+/// log(exp(a) - exp(b)) for a >= b, log(exp(a) + exp(b)), and log of the mean of exp(v).
+double log_difference(double a, double b);
+double log_sum(double a, double b);
+double log_mean(const Eigen::VectorXd& v);
+
+/// log of the expected hypervolume improvement of y_j ~ N(mean_j, sd_j^2), independent, over the
+/// boxes of undominated_boxes: a closed form,
+///   EHVI = sum_boxes prod_j (E[(upper_j - y_j)+] - E[(lower_j - y_j)+])
+/// (Yang et al., Swarm Evol. Comput. 44 (2019) 945-956). -infinity only without boxes or where sd
+/// is 0.
+double log_ehvi(const std::vector<Box>& boxes, const Objectives& mean, const Objectives& sd);
+
+/// log of the probability that lower <= y <= upper for y ~ N(mean, sd^2); limits may be infinite.
+double log_probability_within(double mean, double sd, double lower, double upper);
+
+/// The front under each posterior draw of the designs evaluated or still being evaluated, so that
+/// noise in what was measured and the outcomes of pending designs are averaged over (Daulton,
+/// Balandat and Bakshy, Parallel Bayesian optimization of multiple noisy objectives, NeurIPS 2021).
+class NoisyFront {
+ public:
+  /// objectives: n_samples matrices [n_designs, n_objectives], minimised; feasible: n_samples
+  /// vectors [n_designs] (1 or 0): whether the draw meets the constraints.
+  NoisyFront(const std::vector<Eigen::MatrixXd>& objectives,
+             const std::vector<Eigen::VectorXi>& feasible, const Objectives& reference,
+             const Objectives& ideal);
+
+  /// log of the mean over draws of (expected hypervolume improvement times probability of meeting
+  /// the constraints). means: [n_samples, n_objectives], sd: [n_objectives], log_feasible:
+  /// [n_samples].
+  double log_improvement(const Eigen::MatrixXd& means, const Objectives& sd,
+                         const Eigen::VectorXd& log_feasible) const;
+
+  bool any_feasible() const { return any_feasible_; }  ///< in at least one draw
+  int n_samples() const { return static_cast<int>(boxes_.size()); }
+
+ private:
+  std::vector<std::vector<Box>> boxes_;  // [n_samples]
+  bool any_feasible_ = false;
+};
+
+}  // namespace parapet::acquisition
