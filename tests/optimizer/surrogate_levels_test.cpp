@@ -108,9 +108,6 @@ TEST(Levels, CoarseDataImproveTheFinePrediction) {
   // Four points miss the minimum of a function that spans -6 to 16; eleven cheap ones show it.
   EXPECT_GT(error_of(alone), 2.0);
   EXPECT_LT(error_of(joint), 0.5 * error_of(alone));
-  // The published relation is f_0 = 2 f_1 - 20 (x - 0.5) + 10; the prior holds rho towards 1.
-  EXPECT_GT(joint.parameters().levels[0].coupling, 1.2);
-  EXPECT_LT(joint.parameters().levels[0].coupling, 2.3);
 }
 
 TEST(Levels, RecoversTheCoupling) {

@@ -34,33 +34,35 @@ TEST(SobolIndices, OfTheIshigamiFunction) {
   const auto indices = sobol_indices(ishigami, 3, options);
   const double first[] = {0.3139, 0.4424, 0.0}, total[] = {0.5576, 0.4424, 0.2437};
   for (std::size_t i = 0; i < 3; ++i) {
-    // Independent points would have a standard error of about 1 / sqrt(4096) = 0.016; Sobol' points
-    // do better.
-    expect_index(indices[i].first, first[i], 0.016, "first " + std::to_string(i));
-    expect_index(indices[i].total, total[i], 0.016, "total " + std::to_string(i));
+    // Measured 0.0007, limit 0.003; independent points would have a standard error of about
+    // 1 / sqrt(4096) = 0.016.
+    expect_index(indices[i].first, first[i], 0.003, "first " + std::to_string(i));
+    expect_index(indices[i].total, total[i], 0.003, "total " + std::to_string(i));
     EXPECT_LT(indices[i].total.upper - indices[i].total.lower, 0.2);
   }
 }
 
 /// Indices of sum c_i u_i: c_i^2 / sum c^2, first and total alike. Up to 10 variables the points
-/// are Sobol', beyond that independent.
-void check_linear(const Eigen::VectorXd& c, double tolerance) {
+/// are Sobol', beyond that independent. Returns how many intervals of the first indices miss.
+int check_linear(const Eigen::VectorXd& c, double tolerance) {
   const auto model = [&](const Eigen::MatrixXd& u) -> Eigen::MatrixXd { return u * c; };
   const auto indices = sobol_indices(model, static_cast<int>(c.size()));
-  ASSERT_EQ(indices.size(), static_cast<std::size_t>(c.size()));
+  EXPECT_EQ(indices.size(), static_cast<std::size_t>(c.size()));
+  int misses = 0;
   for (Eigen::Index i = 0; i < c.size(); ++i) {
     const double truth = c(i) * c(i) / c.squaredNorm();
     const SobolIndices& found = indices[static_cast<std::size_t>(i)];
     EXPECT_NEAR(found.first.value, truth, tolerance) << i;
     EXPECT_NEAR(found.total.value, truth, tolerance) << i;
-    EXPECT_LE(found.first.lower, truth);
-    EXPECT_GE(found.first.upper, truth);
+    if (found.first.lower > truth || found.first.upper < truth) ++misses;
   }
+  return misses;
 }
 
 TEST(SobolIndices, OfALinearFunction) {
-  // Measured 0.002 on Sobol' points, limit 0.01.
-  check_linear(Eigen::Vector4d(1.0, 2.0, 3.0, 0.0), 0.01);
+  // Measured 6e-5 on Sobol' points, which integrate smooth functions nearly at 1 / N; limit 1e-3.
+  // The bootstrap takes the points for independent, so that its intervals are wide for them.
+  EXPECT_EQ(check_linear(Eigen::Vector4d(1.0, 2.0, 3.0, 0.0), 1e-3), 0);
 }
 
 TEST(SobolIndices, OfMoreVariablesThanTheTableHolds) {
@@ -68,7 +70,8 @@ TEST(SobolIndices, OfMoreVariablesThanTheTableHolds) {
   c(4) = 4.0;
   // Independent points: 1024 of them have a standard error up to about 1.5 / sqrt(1024) = 0.05 for
   // the large index; three of them.
-  check_linear(c, 0.14);
+  // Of 12 intervals of 95 % more than 3 miss with a probability of 0.2 %.
+  EXPECT_LE(check_linear(c, 0.14), 3);
 }
 
 TEST(SobolIndices, SpanTheRealisations) {
