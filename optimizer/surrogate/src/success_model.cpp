@@ -76,7 +76,7 @@ SuccessModel SuccessModel::fit(const Layout& layout, const Eigen::MatrixXd& inpu
   const Eigen::VectorXd x = likeliest(evidence, signs.size(), seed);
   model.length_scales_ = x.head(x.size() - 1).array().exp();
   model.amplitude_ = std::exp(x(x.size() - 1));
-  model.mean_ = evidence.mean(model.amplitude_);
+  model.mean_ = evidence.mean();
   LaplaceMode mode = evidence.mode(x);
   model.gradient_ = std::move(mode.gradient);
   return model;
