@@ -8,6 +8,7 @@
 #include "parapet/optimizer/optimize.hpp"
 #include "parapet/reports/line_plot.hpp"
 #include "parapet/study/hashes.hpp"
+#include "parapet/surrogate/gaussian_process.hpp"
 
 int main() {
   using namespace parapet;
@@ -43,6 +44,12 @@ int main() {
       acquisition::undominated_boxes({point(0.5, 0.0)}, point(1.0, 1.0), point(0.0, 0.0));
   const double gain = acquisition::log_ehvi(boxes, point(0.25, 0.0), point(0.0, 0.0));
   if (std::abs(std::exp(gain) - 0.25) > 1e-15) return 1;
+  // A process through two observations returns to the first within the data's spread.
+  const surrogate::Data data{Eigen::Vector2d(0.2, 0.8), Eigen::Vector2d(1.0, 2.0), {}};
+  const auto process = surrogate::GaussianProcess::fit({{0}, 1}, data, {});
+  const double at_first =
+      process.from_model(process.predict(Eigen::MatrixXd::Constant(1, 1, 0.2)).mean(0));
+  if (std::abs(at_first - 1.0) > 0.5) return 1;
 
   reports::LinePlot plot;
   plot.x_label = "time [s]";
