@@ -140,7 +140,8 @@ TEST(BayesianSearch, LearnsWhereEvaluationsFail) {
     }
   }
   // Blind search fails in 31 % of its evaluations, and one that ignores failures ends in the corner
-  // (50 %, measured with a model that averaged over the latent function). Measured: 22 %.
+  // (50 %, measured with a model that averaged over the latent function). Measured over 16 seeds:
+  // 20 %.
   EXPECT_LT(failed, 0.26 * searched);
 }
 
