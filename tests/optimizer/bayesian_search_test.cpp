@@ -124,7 +124,7 @@ TEST(BayesianSearch, LearnsWhereEvaluationsFail) {
   // A corner of 30 % of the square fails, next to the minimum at (9.42, 2.47).
   const auto fails = [](const Point& x) { return x[0] > 3.0 && x[1] > 5.0; };
   int failed = 0, searched = 0;
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     Search search(branin_problem(), budget(40, seed));
     const auto asked = run(search, [&](const Suggestion& s) {
       return fails(s.x) ? Observation{.ok = false, .seconds = 1.0} : branin_answer(s);
@@ -140,8 +140,8 @@ TEST(BayesianSearch, LearnsWhereEvaluationsFail) {
     }
   }
   // Blind search fails in 31 % of its evaluations, and one that ignores failures ends in the corner
-  // (50 %, measured with a model that averaged over the latent function). Measured over 16 seeds:
-  // 20 %.
+  // (50 %, measured with a model that averaged over the latent function). Measured: 21 % with
+  // these seeds, 4 to 11 of 34 with one.
   EXPECT_LT(failed, 0.26 * searched);
 }
 
