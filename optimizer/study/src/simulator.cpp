@@ -1,0 +1,99 @@
+#include "parapet/study/simulator.hpp"
+
+#include <time.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "parapet/reports/result_json.hpp"
+#include "parapet/study/thread_count.hpp"
+
+namespace parapet::study {
+namespace {
+
+using designs::Json;
+
+/// Processor time of the calling thread [s].
+double thread_seconds() {
+  timespec now{};
+  if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) return 0.0;
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Json simulation_json(const Json& result) {
+  Json json = Json::object();
+  for (const char* key :
+       {"status", "reason", "stop_reason", "stop_time_s", "mass", "statistics", "timing"}) {
+    json[key] = result.at(key);
+  }
+  return json;
+}
+
+Simulation from_result(const designs::StudySpec& study, const designs::CaseSpec& spec,
+                       const solver::Result& result) {
+  Simulation simulation;
+  simulation.cancelled = result.status == solver::Status::cancelled;
+  simulation.ok = result.status == solver::Status::ok;
+  simulation.reason = result.reason;
+  simulation.metrics = result.metrics;
+  simulation.wall_time = result.statistics.wall_time;
+  simulation.particle_steps = static_cast<double>(result.mass.particles_released) *
+                              static_cast<double>(result.statistics.steps);
+  simulation.report["numerics"] = spec.resolved.at("numerics");
+  simulation.report["simulation"] = simulation_json(
+      reports::result_json(study.name, result, nullptr, nullptr, spec.run.threads));
+  simulation.report["case"] = spec.resolved;
+  simulation.report["series"] = reports::series_json(result.series);
+  return simulation;
+}
+
+Simulation impossible(const std::string& why) {
+  Simulation simulation;
+  simulation.reason = "the scene is impossible: " + why;
+  simulation.report = Json::object();
+  return simulation;
+}
+
+Simulation simulate(const SimulationTask& task) {
+  try {
+    designs::CaseSpec spec =
+        designs::design_case(task.study, task.design, task.scenario, task.spacing);
+    spec.run.threads = worthwhile_threads(spec, task.threads);
+    const double before = thread_seconds();
+    const solver::Result result =
+        solver::simulate(spec.scene, spec.numerics, spec.run, task.callbacks);
+    const double seconds = thread_seconds() - before;
+    Simulation simulation = from_result(task.study, spec, result);
+    // The other threads of a simulation work, or wait busily, as long as the calling one.
+    simulation.cpu_time = seconds * spec.run.threads;
+    return simulation;
+  } catch (const designs::InputError& error) {
+    return impossible(error.what());
+  } catch (const std::invalid_argument& error) {
+    return impossible(error.what());
+  }
+}
+
+}  // namespace
+
+Simulator solver_simulator() {
+  return simulate;
+}
+
+double expected_seconds(const designs::StudySpec& study, double spacing) {
+  // A second for 1,200 particles; particles grow with spacing^-2 and time steps with spacing^-1.
+  constexpr double reference_particles = 1200.0;
+  constexpr double exponent = 1.65;  // 3.3 / 2, some more for the implicit viscosity's iterations
+  const Json& reservoir = study.base_case.at("reservoir");
+  const double area =
+      reservoir.at("length_m").get<double>() * reservoir.at("height_m").get<double>();
+  return std::pow(area / (spacing * spacing) / reference_particles, exponent);
+}
+
+double nominal_seconds(double particle_steps) {
+  // Measured on one core of 2.x GHz: docs/performance.md.
+  constexpr double seconds_per_particle_step = 4e-7;
+  return seconds_per_particle_step * particle_steps;
+}
+
+}  // namespace parapet::study
