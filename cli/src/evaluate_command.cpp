@@ -41,28 +41,10 @@ std::pair<std::string, std::string> design_source(const std::string& argument) {
 
 designs::Design read_design(const designs::StudySpec& study, const std::string& argument) {
   const auto [text, source] = design_source(argument);
-  const designs::Json json = designs::parse_json(text, source);
-  const std::string allowed =
-      R"(an object of numbers by variable, for example {"deflector_angle_deg": 45})";
-  if (!json.is_object()) {
-    throw designs::InputError({{source, "", json.dump(), "is not an object", allowed}});
-  }
-  designs::Design design;
-  std::vector<designs::InputIssue> issues;
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_number()) {
-      design[name] = value.get<double>() + 0.0;  // -0 and 0 are one design
-    } else {
-      issues.push_back({source, "/" + name, value.dump(), "is not a number", allowed});
-    }
-  }
-  for (designs::InputIssue& issue : designs::check_design(study, design, source)) {
-    const std::string name = issue.pointer.substr(std::min<std::size_t>(1, issue.pointer.size()));
-    if (json.contains(name) && !json[name].is_number()) continue;  // said already
-    issues.push_back(std::move(issue));
-  }
-  if (!issues.empty()) throw designs::InputError(std::move(issues));
-  return design;
+  designs::DesignReading reading =
+      designs::read_design(study, designs::parse_json(text, source), source);
+  if (!reading.issues.empty()) throw designs::InputError(std::move(reading.issues));
+  return std::move(reading.design);
 }
 
 /// Access to a shared log: held only for a moment, so that several evaluations may run at once.
@@ -133,7 +115,8 @@ void add_evaluate(CLI::App& app, Session& session) {
   auto options = std::make_shared<EvaluateOptions>();
   verb->add_option("SPEC", options->spec, "Study file, or the name of a shipped one")->required();
   verb->add_option("--design", options->design,
-                   "The design: JSON, @FILE, or - for standard input; a value for every variable")
+                   "The design: JSON, @FILE, or - for standard input; a value for every active "
+                   "variable, an option's name for a choice")
       ->required()
       ->type_name("JSON");
   verb->add_option("--log", options->log_folder,
