@@ -69,7 +69,6 @@ designs::StudySpec read_study(const std::string& argument, std::optional<double>
   // One level, of which nothing is known.
   json["fidelity"] = Json::object();
   json["fidelity"]["spacings_m"] = Json::array({metres(*spacing_mm)});
-      {"spacings_m", {metres(*spacing_mm)}}};  // one level, of which nothing is known
   return designs::parse_study(json, document.file + " with --spacing-mm");
 }
 
