@@ -14,7 +14,6 @@
 namespace parapet::surrogate {
 namespace {
 
-constexpr int n_starts = 3;
 constexpr double tolerance_nats = 1e-3;
 
 void check(const Layout& layout, const Eigen::MatrixXd& inputs,
@@ -41,6 +40,8 @@ Eigen::VectorXd likeliest(const ProbitEvidence& evidence, Eigen::Index n, std::u
     gradient = -gradient;
     return value;
   };
+  // A call costs several times n^3.
+  const int n_starts = n <= 150 ? 3 : 2;
   const Eigen::MatrixXd u = unit_points(n_starts, static_cast<int>(evidence.size()), seed);
   const int calls = n <= 150 ? 30 : 12;
   Descent best;
@@ -76,7 +77,7 @@ SuccessModel SuccessModel::fit(const Layout& layout, const Eigen::MatrixXd& inpu
   const Eigen::VectorXd x = likeliest(evidence, signs.size(), seed);
   model.length_scales_ = x.head(x.size() - 1).array().exp();
   model.amplitude_ = std::exp(x(x.size() - 1));
-  model.mean_ = evidence.mean(model.amplitude_);
+  model.mean_ = evidence.mean();
   LaplaceMode mode = evidence.mode(x);
   model.gradient_ = std::move(mode.gradient);
   return model;
