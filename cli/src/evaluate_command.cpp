@@ -56,23 +56,30 @@ std::optional<EvaluationRecord> find_logged(const Session& session, const Evalua
   if (options.log_folder.empty()) return std::nullopt;
   const study::StudyFolder folder(options.log_folder, study, session.program, log_patience);
   for (const std::string& note : folder.notes()) session.log->warn("{}", note);
-  const EvaluationRecord* known = folder.log().find(design);
+  const EvaluationRecord* known = folder.log().find(design, study::finest_spacing(study));
   return known == nullptr ? std::nullopt : std::optional(*known);
 }
 
 /// Gives the record its id; the one already there when another process was faster.
 EvaluationRecord store(const Session& session, const EvaluateOptions& options,
-                       const designs::StudySpec& study, study::DesignRun run) {
-  run.record.id = reports::evaluation_id(1);
-  run.record.stage = "external";
-  if (options.log_folder.empty()) return run.record;
+                       const designs::StudySpec& study, const study::DesignRun& run) {
+  EvaluationRecord record = run.record();
+  record.id = reports::evaluation_id(1);
+  record.stage = "external";
+  if (options.log_folder.empty()) return record;
   study::StudyFolder folder(options.log_folder, study, session.program, log_patience);
-  if (const auto* known = folder.log().find(run.record.design)) return *known;
+  if (const auto* known = folder.log().find(record.design, record.spacing)) return *known;
   int number = static_cast<int>(folder.log().records().size()) + 1;
-  while (folder.log().has_id(reports::evaluation_id(number))) ++number;
-  run.record.id = reports::evaluation_id(number);
-  folder.store(run.record, run.report);
-  return run.record;
+  while (!folder.id_is_free(reports::evaluation_id(number), record.design, record.spacing)) {
+    ++number;
+  }
+  record.id = reports::evaluation_id(number);
+  const designs::Json provenance = study::study_provenance(study, session.program);
+  for (std::size_t event = 0; event < run.size(); ++event) {
+    folder.store_simulation(record.id, run, event, provenance);
+  }
+  folder.store(record, run.report(session.program));
+  return record;
 }
 
 int evaluate_command(const Session& session, const EvaluateOptions& options) {
@@ -86,13 +93,13 @@ int evaluate_command(const Session& session, const EvaluateOptions& options) {
       monitor.running(study.name, progress);
       return !interrupted();
     };
-    study::DesignRun run =
-        study::run_design(study, design, session.program, options.jobs, callbacks);
-    if (run.cancelled) {
+    const auto run = study::run_design(study, design, study::finest_spacing(study),
+                                       study::solver_simulator(), options.jobs, callbacks);
+    if (!run) {
       session.log->error("interrupted; nothing was logged");
       return exit_interrupted;
     }
-    record = store(session, options, study, std::move(run));
+    record = store(session, options, study, *run);
   }
   fmt::print("{}\n", reports::to_json(*record).dump());
   if (record->ok) return exit_done;
@@ -116,7 +123,7 @@ void add_evaluate(CLI::App& app, Session& session) {
                    "Study folder whose log answers for designs it holds and takes new ones")
       ->type_name("DIR");
   add_spacing(*verb, *options);
-  add_jobs(*verb, *options, "Threads of the simulation");
+  add_jobs(*verb, *options, "Scenarios simulated side by side, then threads of each");
   verb->footer(
       R"(Prints one JSON object on standard output (the line that the log of a study has) and nothing else;
 messages go to standard error. A failed simulation is reported in the object and by exit code 1. A

@@ -96,7 +96,7 @@ void EvaluationLog::read_and_repair() {
       write_all(descriptor_, "\n", file_);
       sync(descriptor_, file_);
     }
-    by_design_.emplace(record.design, records_.size());
+    by_design_.emplace(std::pair(record.design, record.spacing), records_.size());
     by_id_.emplace(record.id, records_.size());
     records_.push_back(std::move(record));
     begin += line.size() + 1;
@@ -138,13 +138,13 @@ void EvaluationLog::append(const EvaluationRecord& record) {
       const int failed = ::ftruncate(descriptor_, size);
     throw;
   }
-  by_design_.emplace(record.design, records_.size());
+  by_design_.emplace(std::pair(record.design, record.spacing), records_.size());
   by_id_.emplace(record.id, records_.size());
   records_.push_back(record);
 }
 
-const EvaluationRecord* EvaluationLog::find(const designs::Design& design) const {
-  const auto found = by_design_.find(design);
+const EvaluationRecord* EvaluationLog::find(const designs::Design& design, double spacing) const {
+  const auto found = by_design_.find(std::pair(design, spacing));
   return found == by_design_.end() ? nullptr : &records_[found->second];
 }
 

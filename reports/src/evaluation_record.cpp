@@ -59,21 +59,76 @@ ConstraintRecord constraint_from_json(const Json& json) {
   return constraint;
 }
 
+Json metrics_json(const std::vector<solver::Metric>& metrics) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : metrics) json[metric.key] = optional_json(metric.value);
+  return json;
+}
+
+Json absent_json(const std::vector<solver::Metric>& metrics) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : metrics) {
+    if (!metric.value) json[metric.key] = metric.absent_reason;
+  }
+  return json;
+}
+
+std::vector<solver::Metric> metrics_from_json(const Json& json) {
+  std::vector<solver::Metric> metrics;
+  const Json& absent = json.at("metrics_absent");
+  for (const auto& [key, value] : json.at("metrics").items()) {
+    metrics.push_back({key, optional_number(value), absent.value(key, "")});
+  }
+  return metrics;
+}
+
+bool ok_from_json(const Json& json) {
+  const auto status = json.at("status").get<std::string>();
+  if (status != "ok" && status != "failed") {
+    throw std::runtime_error("status is \"" + status + "\", neither \"ok\" nor \"failed\"");
+  }
+  return status == "ok";
+}
+
 }  // namespace
+
+Json to_json(const ScenarioRecord& scenario) {
+  Json json;
+  json["name"] = scenario.name;
+  json["weight"] = scenario.weight;
+  json["status"] = scenario.ok ? "ok" : "failed";
+  json["reason"] = scenario.reason;
+  json["metrics"] = metrics_json(scenario.metrics);
+  json["metrics_absent"] = absent_json(scenario.metrics);
+  json["wall_time_s"] = scenario.wall_time;
+  json["cpu_time_s"] = scenario.cpu_time;
+  json["particle_steps"] = scenario.particle_steps;
+  return json;
+}
+
+ScenarioRecord scenario_from_json(const Json& json) {
+  ScenarioRecord scenario;
+  scenario.name = json.at("name").get<std::string>();
+  scenario.weight = json.at("weight").get<double>();
+  scenario.ok = ok_from_json(json);
+  scenario.reason = json.at("reason").get<std::string>();
+  scenario.metrics = metrics_from_json(json);
+  scenario.wall_time = json.at("wall_time_s").get<double>();
+  scenario.cpu_time = json.value("cpu_time_s", 0.0);
+  scenario.particle_steps = json.value("particle_steps", 0.0);
+  return scenario;
+}
 
 Json to_json(const EvaluationRecord& record) {
   Json json;
   json["id"] = record.id;
   json["stage"] = record.stage;
   json["design"] = record.design;
+  if (!record.options.empty()) json["options"] = record.options;
   json["status"] = record.ok ? "ok" : "failed";
   json["reason"] = record.reason;
-  json["metrics"] = Json::object();
-  json["metrics_absent"] = Json::object();
-  for (const solver::Metric& metric : record.metrics) {
-    json["metrics"][metric.key] = optional_json(metric.value);
-    if (!metric.value) json["metrics_absent"][metric.key] = metric.absent_reason;
-  }
+  json["metrics"] = metrics_json(record.metrics);
+  json["metrics_absent"] = absent_json(record.metrics);
   json["objectives"] = Json::array();
   for (const auto& objective : record.objectives) json["objectives"].push_back(to_json(objective));
   json["objective_scalar"] = optional_json(record.objective_scalar);
@@ -84,6 +139,11 @@ Json to_json(const EvaluationRecord& record) {
   json["feasible"] = record.feasible;
   json["spacing_m"] = record.spacing;
   json["wall_time_s"] = record.wall_time;
+  if (record.cpu_time > 0.0) json["cpu_time_s"] = record.cpu_time;
+  if (record.particle_steps > 0.0) json["particle_steps"] = record.particle_steps;
+  if (record.scenarios.empty()) return json;
+  json["scenarios"] = Json::array();
+  for (const auto& scenario : record.scenarios) json["scenarios"].push_back(to_json(scenario));
   return json;
 }
 
@@ -92,16 +152,12 @@ EvaluationRecord record_from_json(const Json& json) {
   record.id = json.at("id").get<std::string>();
   record.stage = json.at("stage").get<std::string>();
   record.design = json.at("design").get<designs::Design>();
-  const auto status = json.at("status").get<std::string>();
-  if (status != "ok" && status != "failed") {
-    throw std::runtime_error("status is \"" + status + "\", neither \"ok\" nor \"failed\"");
+  if (json.contains("options")) {
+    record.options = json["options"].get<std::map<std::string, std::string>>();
   }
-  record.ok = status == "ok";
+  record.ok = ok_from_json(json);
   record.reason = json.at("reason").get<std::string>();
-  const Json& absent = json.at("metrics_absent");
-  for (const auto& [key, value] : json.at("metrics").items()) {
-    record.metrics.push_back({key, optional_number(value), absent.value(key, "")});
-  }
+  record.metrics = metrics_from_json(json);
   for (const Json& item : json.at("objectives")) {
     record.objectives.push_back(objective_from_json(item));
   }
@@ -112,6 +168,10 @@ EvaluationRecord record_from_json(const Json& json) {
   record.feasible = json.at("feasible").get<bool>();
   record.spacing = json.at("spacing_m").get<double>();
   record.wall_time = json.at("wall_time_s").get<double>();
+  record.cpu_time = json.value("cpu_time_s", 0.0);
+  record.particle_steps = json.value("particle_steps", 0.0);
+  if (!json.contains("scenarios")) return record;
+  for (const Json& item : json["scenarios"]) record.scenarios.push_back(scenario_from_json(item));
   return record;
 }
 

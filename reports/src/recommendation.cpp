@@ -61,9 +61,12 @@ Json objectives_json(const LoggedDesign& design) {
 Json variables_json(const StudyLog& log, const LoggedDesign& design) {
   Json list = Json::array();
   for (const LoggedVariable& variable : log.variables) {
-    const double value = design.design.at(variable.name);
+    const auto found = design.design.find(variable.name);
+    if (found == design.design.end()) continue;  // does not exist under the options taken
+    const double value = found->second;
     const double near = at_bound_share * (variable.upper - variable.lower);
-    const char* bound = value - variable.lower <= near   ? "lower"
+    const char* bound = variable.choice              ? nullptr
+                        : value - variable.lower <= near   ? "lower"
                         : variable.upper - value <= near ? "upper"
                                                          : nullptr;
     list.push_back({{"name", variable.name},
@@ -79,7 +82,9 @@ Json design_json(const StudyLog& log, const LoggedDesign& design) {
   Json json{{"id", design.id}, {"stage", design.stage}};
   json["design"] = Json::object();
   for (const LoggedVariable& variable : log.variables) {
-    json["design"][variable.name] = design.design.at(variable.name);
+    const auto found = design.design.find(variable.name);
+    json["design"][variable.name] =
+        found == design.design.end() ? Json(nullptr) : Json(found->second);
   }
   json["variables"] = variables_json(log, design);
   json["spacing_m"] = optional_json(design.spacing);
@@ -115,7 +120,10 @@ std::vector<const LoggedDesign*> ranked(const StudyLog& log, bool feasible) {
 
 bool distinct(const StudyLog& log, const LoggedDesign& a, const LoggedDesign& b) {
   return std::ranges::any_of(log.variables, [&](const LoggedVariable& variable) {
-    const double apart = std::abs(a.design.at(variable.name) - b.design.at(variable.name));
+    const auto in_a = a.design.find(variable.name), in_b = b.design.find(variable.name);
+    const bool absent_in_a = in_a == a.design.end(), absent_in_b = in_b == b.design.end();
+    if (absent_in_a || absent_in_b) return absent_in_a != absent_in_b;
+    const double apart = std::abs(in_a->second - in_b->second);
     return apart >= distinct_share * (variable.upper - variable.lower) && apart > 0.0;
   });
 }

@@ -48,13 +48,18 @@ std::string file_text(const std::filesystem::path& file, const std::string& want
 std::vector<LoggedVariable> read_variables(const Json& spec, const std::string& file) {
   std::vector<LoggedVariable> variables;
   for (const auto& [name, entry] : member(spec, "variables").items()) {
+    if (entry.is_object() && entry.contains("options")) {
+      const auto last = static_cast<double>(entry["options"].size()) - 1.0;
+      variables.push_back({name, 0.0, last, true, entry.contains("active_when")});
+      continue;
+    }
     const std::optional<double> lower = entry.is_object() ? number(entry, "lower") : std::nullopt;
     const std::optional<double> upper = entry.is_object() ? number(entry, "upper") : std::nullopt;
     if (!lower || !upper) {
       throw InputError({InputIssue{file, "/spec/variables/" + name, entry.dump(),
                                    "the variable has no bounds", "lower and upper, numbers"}});
     }
-    variables.push_back({name, *lower, *upper});
+    variables.push_back({name, *lower, *upper, false, entry.contains("active_when")});
   }
   if (variables.empty()) {
     throw InputError({InputIssue{file, "/spec/variables", "", "the study has no variables",
@@ -106,10 +111,17 @@ LoggedDesign read_design(const Json& line, const Json& spec) {
 
 void check_variables(const LoggedDesign& design, const StudyLog& log) {
   for (const LoggedVariable& variable : log.variables) {
-    if (!design.design.contains(variable.name)) {
+    if (!variable.conditional && !design.design.contains(variable.name)) {
       throw std::invalid_argument(fmt::format("design {} has no {}", design.id, variable.name));
     }
   }
+}
+
+void leave_out_coarse(std::vector<LoggedDesign>& designs) {
+  double finest = std::numeric_limits<double>::infinity();
+  for (const LoggedDesign& design : designs) finest = std::min(finest, design.spacing.value_or(0.0));
+  std::erase_if(designs,
+                [&](const LoggedDesign& design) { return design.spacing.value_or(0.0) > finest; });
 }
 
 void read_designs(const std::filesystem::path& file, StudyLog& log) {
@@ -210,6 +222,7 @@ StudyLog read_study_log(const std::filesystem::path& study_dir) {
   log.provenance = member(state, "provenance");
   log.variables = read_variables(log.spec, file.string());
   read_designs(study_dir / "evaluations.jsonl", log);
+  leave_out_coarse(log.designs);
   return log;
 }
 

@@ -38,7 +38,7 @@ struct LoggedObjective {
 /// One line of the log.
 struct LoggedDesign {
   std::string id;
-  std::string stage;  ///< "start", "search" or "external"
+  std::string stage;  ///< as in EvaluationRecord
   designs::Design design;
   bool ok = false;
   std::string reason;  ///< why it failed
@@ -57,6 +57,8 @@ struct LoggedDesign {
 struct LoggedVariable {
   std::string name;
   double lower = 0.0, upper = 0.0;
+  bool choice = false;       ///< its value is the number of an option
+  bool conditional = false;  ///< exists only under some options of a choice
 };
 
 struct StudyLog {
@@ -72,6 +74,8 @@ struct StudyLog {
   int barriers() const;  ///< of the base case; as many as the metrics name, at least
 };
 
+/// Designs at coarser particle spacings than the finest that is logged are left out: they served the
+/// search, no advice rests on them.
 /// @throws designs::InputError naming file and line of what is missing or damaged. A last line of
 /// the log that is not complete is passed over.
 StudyLog read_study_log(const std::filesystem::path& study_dir);

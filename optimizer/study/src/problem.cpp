@@ -1,5 +1,7 @@
 #include "parapet/study/problem.hpp"
 
+#include <cmath>
+
 #include "parapet/study/scoring.hpp"
 
 namespace parapet::study {
@@ -21,7 +23,10 @@ optimizer::Problem make_problem(const designs::StudySpec& study) {
 
 designs::Design to_design(const designs::StudySpec& study, const std::vector<double>& x) {
   designs::Design design;
-  for (std::size_t i = 0; i < study.variables.size(); ++i) design[study.variables[i].name] = x[i];
+  for (std::size_t i = 0; i < study.variables.size(); ++i) {
+    const bool whole = study.variables[i].kind != designs::VariableKind::continuous;
+    design[study.variables[i].name] = whole ? std::round(x[i]) + 0.0 : x[i];  // no -0
+  }
   return design;
 }
 

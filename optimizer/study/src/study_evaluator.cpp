@@ -1,87 +1,112 @@
 #include "parapet/study/study_evaluator.hpp"
 
-#include "parapet/study/design_run.hpp"
+#include <algorithm>
+#include <utility>
+
 #include "parapet/study/problem.hpp"
 #include "parapet/study/scoring.hpp"
 #include "parapet/study/side_by_side.hpp"
 
 namespace parapet::study {
 
-StudyEvaluator::StudyEvaluator(const designs::StudySpec& study, StudyFolder& folder,
-                               const reports::ProgramInfo& program, int jobs, const Hooks& hooks)
-    : study_(study), folder_(folder), program_(program), jobs_(jobs), hooks_(hooks) {}
+Scalarizer weighted_sum(const designs::StudySpec& study) {
+  return [&study](const reports::EvaluationRecord& record) {
+    // From the metrics, also right after the simulation: a replay takes the same way.
+    const Score scored = score(study, record.design, events_of(record));
+    optimizer::Evaluation evaluation;
+    evaluation.ok = scored.objective_scalar.has_value();
+    evaluation.reason = scored.problem;
+    evaluation.objective = scored.objective_scalar.value_or(0.0);
+    evaluation.constraints = scored.metric_violations;
+    return evaluation;
+  };
+}
+
+StudyEvaluator::StudyEvaluator(const StudyContext& context, int jobs)
+    : context_(context), jobs_(jobs) {}
 
 bool StudyEvaluator::stopped() const {
-  return failure_ || cancelled_ || (hooks_.cancelled && hooks_.cancelled());
+  return failure_ || cancelled_ || out_of_cpu_time_ || context_.cancelled();
 }
 
 void StudyEvaluator::throw_if_failed() const {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-StudyEvaluator::Question StudyEvaluator::pose(const std::vector<double>& x) {
-  Question question{.id = "", .design = to_design(study_, x)};
+bool StudyEvaluator::cpu_time_left() {
+  const double most = context_.study.method.max_cpu_time_s;
+  double spent = 0.0;
+  for (const auto& record : context_.folder.log().records()) spent += record.cpu_time;
+  out_of_cpu_time_ = most > 0.0 && spent >= most;
+  return !out_of_cpu_time_;
+}
+
+std::unique_ptr<DesignJob> StudyEvaluator::pose(const designs::Design& design,
+                                                const std::string& stage) {
   ++questions_;
-  if (const auto* known = folder_.log().find(question.design)) {
-    question.id = known->id;
-    return question;
+  if (asked_set_.insert(design).second) asked_.push_back(design);
+  const double spacing = finest_spacing(context_.study);
+  if (const auto* known = context_.folder.log().find(design, spacing)) {
+    if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(*known, true);
+    return nullptr;
   }
+  if (!cpu_time_left()) return nullptr;
   int number = questions_;
-  while (folder_.log().has_id(reports::evaluation_id(number)) || ids_given_.count(number) != 0) {
+  while (ids_given_.count(number) != 0 ||
+         !context_.folder.id_is_free(reports::evaluation_id(number), design, spacing)) {
     ++number;
   }
   ids_given_.insert(number);
-  question.id = reports::evaluation_id(number);
-  return question;
+  return std::make_unique<DesignJob>(context_, reports::evaluation_id(number), stage, design,
+                                     spacing);
 }
 
 std::vector<optimizer::Evaluation> StudyEvaluator::evaluate(
-    const std::vector<std::vector<double>>& xs, const std::string& stage) {
-  std::vector<Question> questions;
-  std::vector<std::size_t> unknown;
+    const std::vector<std::vector<double>>& xs, const std::string& stage,
+    const Scalarizer& scalarizer) {
+  std::vector<designs::Design> designs;
+  std::vector<std::unique_ptr<DesignJob>> unknown;
   for (const auto& x : xs) {
-    questions.push_back(pose(x));
-    if (const auto* known = folder_.log().find(questions.back().design)) {
-      ++answered_from_log_;
-      if (hooks_.on_evaluated) hooks_.on_evaluated(*known, true);
-    } else {
-      unknown.push_back(questions.size() - 1);
-    }
+    designs::Design design = to_design(context_.study, x);
+    // Integers are rounded, so that two points of a batch may be one design.
+    const bool repeated = std::find(designs.begin(), designs.end(), design) != designs.end();
+    designs.push_back(std::move(design));
+    if (repeated) continue;
+    if (auto job = pose(designs.back(), stage)) unknown.push_back(std::move(job));
   }
   try {
-    run_side_by_side(
-        unknown.size(), jobs_,
-        [&](std::size_t k, int threads) { simulate(questions[unknown[k]], stage, threads); },
-        [this] { return stopped(); });
+    simulate(unknown);
   } catch (...) {
     failure_ = std::current_exception();
   }
   std::vector<optimizer::Evaluation> answers;
-  for (const Question& question : questions) answers.push_back(answer(question.design));
+  for (const designs::Design& design : designs) answers.push_back(answer(design, scalarizer));
   return answers;
 }
 
-void StudyEvaluator::simulate(const Question& question, const std::string& stage, int threads) {
-  solver::Callbacks callbacks;
-  callbacks.on_progress = [&](const solver::Progress& progress) {
-    if (hooks_.on_simulation) hooks_.on_simulation(question.id, progress);
-    return !(hooks_.cancelled && hooks_.cancelled());
-  };
-  DesignRun run = run_design(study_, question.design, program_, threads, callbacks);
-  if (run.cancelled) {
-    cancelled_ = true;
-    return;
+void StudyEvaluator::simulate(const std::vector<std::unique_ptr<DesignJob>>& jobs) {
+  std::vector<std::pair<DesignJob*, std::size_t>> events;
+  for (const auto& job : jobs) {
+    for (std::size_t event = 0; event < job->size(); ++event) events.emplace_back(job.get(), event);
   }
-  run.record.id = question.id;
-  run.record.stage = stage;
-  const std::scoped_lock lock(mutex_);
-  folder_.store(run.record, run.report);
-  if (hooks_.on_evaluated) hooks_.on_evaluated(run.record, false);
+  run_side_by_side(
+      events.size(), jobs_,
+      [&](std::size_t k, int threads) {
+        const auto [job, event] = events[k];
+        const DesignJob::Outcome outcome = job->simulate(event, threads);
+        if (outcome == DesignJob::Outcome::cancelled) cancelled_ = true;
+        if (outcome != DesignJob::Outcome::complete) return;
+        const std::scoped_lock lock(mutex_);
+        const reports::EvaluationRecord record = job->store();
+        if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(record, false);
+      },
+      [this] { return stopped(); });
 }
 
-optimizer::Evaluation StudyEvaluator::answer(const designs::Design& design) const {
+optimizer::Evaluation StudyEvaluator::answer(const designs::Design& design,
+                                             const Scalarizer& scalarizer) const {
   optimizer::Evaluation evaluation;
-  const reports::EvaluationRecord* record = folder_.log().find(design);
+  const auto* record = context_.folder.log().find(design, finest_spacing(context_.study));
   if (record == nullptr) {
     evaluation.reason = "not evaluated: the study was stopped";
     return evaluation;
@@ -90,13 +115,7 @@ optimizer::Evaluation StudyEvaluator::answer(const designs::Design& design) cons
     evaluation.reason = record->reason;
     return evaluation;
   }
-  // From the metrics, also right after the simulation: a replay takes the same way.
-  const Score scored = score(study_, design, record->metrics);
-  evaluation.ok = scored.objective_scalar.has_value();
-  evaluation.reason = scored.problem;
-  evaluation.objective = scored.objective_scalar.value_or(0.0);
-  evaluation.constraints = scored.metric_violations;
-  return evaluation;
+  return scalarizer(*record);
 }
 
 }  // namespace parapet::study

@@ -1,8 +1,9 @@
 #include "parapet/study/study_folder.hpp"
 
+#include <algorithm>
+
 #include "parapet/reports/atomic_file.hpp"
 #include "parapet/reports/result_json.hpp"
-#include "parapet/study/design_run.hpp"
 #include "parapet/study/hashes.hpp"
 
 namespace parapet::study {
@@ -23,8 +24,7 @@ Json state_json(const designs::StudySpec& study, const reports::ProgramInfo& pro
   json["format"] = state_format;
   json["name"] = study.name;
   json["spec_hash"] = study_hash(study);
-  json["provenance"] = reports::provenance_json(program, study_hash(study));
-  json["provenance"]["seed"] = study.method.seed;
+  json["provenance"] = study_provenance(study, program);
   json["spec"] = study.resolved;
   return json;
 }
@@ -75,6 +75,48 @@ std::vector<std::string> prepare_folder(const std::filesystem::path& folder,
   return notes;
 }
 
+/// Letters, digits, '-', '_' and '.'; anything else becomes '_', and the number of the event then
+/// keeps two names apart.
+std::string file_name_of(const std::string& id, const std::string& scenario, std::size_t event) {
+  std::string name = scenario;
+  for (char& c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '-' || c == '_' || c == '.';
+    if (!plain) c = '_';
+  }
+  if (name != scenario) name.append("-").append(std::to_string(event + 1));
+  return id + "-" + name + ".json";
+}
+
+/// The simulations in evaluations/ whose design is not in the log. What cannot be read is passed
+/// over: it is simulated again.
+std::vector<UnfinishedDesign> find_unfinished(const std::filesystem::path& folder,
+                                              const reports::EvaluationLog& log) {
+  std::map<std::string, UnfinishedDesign> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const std::string id = name.substr(0, name.find('-'));
+    if (id == name || entry.path().extension() != ".json" || log.has_id(id)) continue;
+    try {
+      StoredSimulation stored = stored_simulation(designs::read_json(entry.path()));
+      if (log.find(stored.design, stored.spacing) != nullptr) continue;
+      UnfinishedDesign& design = found[id];
+      if (design.id.empty()) {
+        design.id = id;
+        design.design = std::move(stored.design);
+        design.spacing = stored.spacing;
+      } else if (design.design != stored.design || design.spacing != stored.spacing) {
+        continue;
+      }
+      design.simulations.emplace(std::move(stored.scenario), std::move(stored.simulation));
+    } catch (const std::exception&) {
+    }
+  }
+  std::vector<UnfinishedDesign> result;
+  for (auto& [id, design] : found) result.push_back(std::move(design));
+  return result;
+}
+
 }  // namespace
 
 StudyFolder::StudyFolder(std::filesystem::path folder, const designs::StudySpec& study,
@@ -84,6 +126,7 @@ StudyFolder::StudyFolder(std::filesystem::path folder, const designs::StudySpec&
       log_((notes_ = prepare_folder(folder_, study, program), folder_ / "evaluations.jsonl")) {
   reports::make_folder(folder_ / "evaluations");
   if (!log_.repair_note().empty()) notes_.push_back(log_.repair_note());
+  unfinished_ = find_unfinished(folder_ / "evaluations", log_);
 }
 
 void StudyFolder::store(const reports::EvaluationRecord& record, const Json& report) {
@@ -92,8 +135,35 @@ void StudyFolder::store(const reports::EvaluationRecord& record, const Json& rep
   log_.append(record);
 }
 
-void StudyFolder::write_summary(const Json& summary) const {
-  reports::write_file_atomically(folder_ / "summary.json", reports::json_text(summary));
+void StudyFolder::store_simulation(const std::string& id, const DesignRun& run, std::size_t event,
+                                   const Json& provenance) const {
+  const designs::Scenario* scenario = run.scenario(event);
+  if (scenario == nullptr) return;
+  reports::write_file_atomically(
+      folder_ / "evaluations" / file_name_of(id, scenario->name, event),
+      reports::json_text(simulation_report(run, event, provenance)));
+}
+
+const Simulation* StudyFolder::unfinished(const designs::Design& design, double spacing,
+                                          const std::string& scenario) const {
+  for (const UnfinishedDesign& one : unfinished_) {
+    if (one.design != design || one.spacing != spacing) continue;
+    const auto found = one.simulations.find(scenario);
+    if (found != one.simulations.end()) return &found->second;
+  }
+  return nullptr;
+}
+
+bool StudyFolder::id_is_free(const std::string& id, const designs::Design& design,
+                             double spacing) const {
+  if (log_.has_id(id)) return false;
+  return std::none_of(unfinished_.begin(), unfinished_.end(), [&](const UnfinishedDesign& one) {
+    return one.id == id && (one.design != design || one.spacing != spacing);
+  });
+}
+
+void StudyFolder::write(const std::string& file_name, const Json& content) const {
+  reports::write_file_atomically(folder_ / file_name, reports::json_text(content));
 }
 
 }  // namespace parapet::study

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "parapet/designs/study_spec.hpp"
@@ -12,13 +13,13 @@
 
 namespace parapet::reports {
 
-/// What one objective came to. `value` is the metric's, or value_when_absent with absent = true.
+/// What one objective came to: its statistic over the scenarios.
 struct ObjectiveRecord {
-  std::string metric;
+  std::string metric;  ///< the objective's name; by default its metric or expression
   designs::Goal goal = designs::Goal::maximize;
   double weight = 1.0;
   std::optional<double> value;
-  bool absent = false;  ///< the metric had no value
+  bool absent = false;  ///< the metric had no value (in at least one scenario)
 };
 
 /// How one constraint stands. `margin` is the distance to the nearest limit, negative outside; in
@@ -31,26 +32,46 @@ struct ConstraintRecord {
   std::optional<double> margin;
 };
 
-/// One evaluated design, as it stands in the log. Numbers keep every bit through the file.
-struct EvaluationRecord {
-  std::string id;     ///< "0001", ...
-  std::string stage;  ///< "start", "search", or "external" (parapet evaluate)
-  designs::Design design;
+/// A design under one scenario.
+struct ScenarioRecord {
+  std::string name;
+  double weight = 1.0;
   bool ok = false;
   std::string reason;  ///< why it failed
   std::vector<solver::Metric> metrics;
+  double wall_time = 0.0;       ///< [s]
+  double cpu_time = 0.0;        ///< [s]
+  double particle_steps = 0.0;  ///< particles released times time steps
+};
+
+/// One evaluated design, as it stands in the log. Numbers keep every bit through the file.
+struct EvaluationRecord {
+  std::string id;     ///< "0001", ...
+  /// "start", "initial", "search" and "confirm" (of a search), "sample" (of a design of
+  /// experiments), or "external" (parapet evaluate)
+  std::string stage;
+  designs::Design design;
+  std::map<std::string, std::string> options;  ///< choice -> option taken; empty without choices
+  bool ok = false;
+  std::string reason;  ///< why it failed
+  std::vector<solver::Metric> metrics;  ///< with scenarios: weighted means
   std::vector<ObjectiveRecord> objectives;
   std::optional<double> objective_scalar;  ///< to be minimised; empty when failed
   std::vector<ConstraintRecord> constraints;
   bool feasible = false;
-  double spacing = 0.0;    ///< particle spacing [m]
-  double wall_time = 0.0;  ///< [s]
+  double spacing = 0.0;                   ///< particle spacing [m]
+  double wall_time = 0.0;                 ///< sum over the scenarios [s]
+  std::vector<ScenarioRecord> scenarios;  ///< empty: the base event alone
+  double cpu_time = 0.0;                  ///< sum over the scenarios [s]; 0: not known
+  double particle_steps = 0.0;            ///< sum over the scenarios; 0: not known
 };
 
+designs::Json to_json(const ScenarioRecord& scenario);
 designs::Json to_json(const EvaluationRecord& record);
 
 /// @throws std::runtime_error or nlohmann::json::exception saying what is wrong with the record.
 EvaluationRecord record_from_json(const designs::Json& json);
+ScenarioRecord scenario_from_json(const designs::Json& json);
 
 /// The log of a study, open for appending. One writer at a time (see study::FolderLock).
 class EvaluationLog {
@@ -70,8 +91,8 @@ class EvaluationLog {
 
   const std::vector<EvaluationRecord>& records() const { return records_; }
 
-  /// The record of exactly this design (the same bits), or nullptr.
-  const EvaluationRecord* find(const designs::Design& design) const;
+  /// The record of exactly this design (the same bits) at this particle spacing [m], or nullptr.
+  const EvaluationRecord* find(const designs::Design& design, double spacing) const;
 
   /// Whether a record has this id.
   bool has_id(const std::string& id) const;
@@ -85,7 +106,7 @@ class EvaluationLog {
   std::filesystem::path file_;
   int descriptor_ = -1;
   std::vector<EvaluationRecord> records_;
-  std::map<designs::Design, std::size_t> by_design_;
+  std::map<std::pair<designs::Design, double>, std::size_t> by_design_;
   std::map<std::string, std::size_t> by_id_;
   std::string repair_note_;
 };

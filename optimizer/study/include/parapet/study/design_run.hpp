@@ -1,29 +1,83 @@
-/// One design of a study: scene, simulation and score.
+/// One design of a study: its simulations, one for each event, and their score.
 #pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/reports/evaluation_log.hpp"
 #include "parapet/reports/provenance.hpp"
-#include "parapet/solver/simulation.hpp"
+#include "parapet/study/simulator.hpp"
 
 namespace parapet::study {
 
-/// What became of a design. `record` lacks its id and stage, which the log gives.
-struct DesignRun {
-  bool cancelled = false;  ///< nothing else is meaningful then
-  reports::EvaluationRecord record;
-  designs::Json report;  ///< provenance, simulation, case and series
+/// A design that is being simulated, event by event. Different events may be set from different
+/// threads at once.
+class DesignRun {
+ public:
+  /// The study must outlive the run.
+  DesignRun(const designs::StudySpec& study, designs::Design design, double spacing);
+
+  const designs::Design& design() const { return design_; }
+  double spacing() const { return spacing_; }
+
+  /// Number of events: the scenarios, or the base event.
+  std::size_t size() const { return simulations_.size(); }
+
+  /// The scenario of an event; null for the base event.
+  const designs::Scenario* scenario(std::size_t event) const;
+
+  void set(std::size_t event, Simulation simulation);
+  const std::optional<Simulation>& simulation(std::size_t event) const {
+    return simulations_[event];
+  }
+
+  /// The scored record, without id and stage, which the log gives. Every event must be set.
+  /// A failed simulation or an objective without a value gives a failed record with the reason.
+  reports::EvaluationRecord record() const;
+
+  /// Provenance, and with the base event alone what the simulator reported.
+  designs::Json report(const reports::ProgramInfo& program) const;
+
+ private:
+  void fail(reports::EvaluationRecord& record, const std::string& reason) const;
+
+  const designs::StudySpec& study_;
+  designs::Design design_;
+  double spacing_;
+  std::vector<std::optional<Simulation>> simulations_;
 };
 
-/// Simulates a design. An impossible scene, a failed simulation or an objective without a value
-/// gives a failed record with the reason, not an exception.
-/// @param threads at most so many, see worthwhile_threads
-DesignRun run_design(const designs::StudySpec& study, const designs::Design& design,
-                     const reports::ProgramInfo& program, int threads,
-                     const solver::Callbacks& callbacks);
+/// Simulates every event of a design, `jobs` side by side. Nothing when it was cancelled.
+std::optional<DesignRun> run_design(const designs::StudySpec& study, const designs::Design& design,
+                                    double spacing, const Simulator& simulator, int jobs,
+                                    const solver::Callbacks& callbacks);
+
+/// The finest particle spacing of a study: the one that counts [m].
+double finest_spacing(const designs::StudySpec& study);
 
 /// The content of evaluations/ID.json, format "parapet-evaluation/1".
 designs::Json evaluation_report(const reports::EvaluationRecord& record,
                                 const designs::Json& report);
+
+/// The content of evaluations/ID-SCENARIO.json, format "parapet-simulation/1".
+designs::Json simulation_report(const DesignRun& run, std::size_t event,
+                                const designs::Json& provenance);
+
+/// An event of a design from such a file.
+struct StoredSimulation {
+  designs::Design design;
+  double spacing = 0.0;
+  std::string scenario;
+  Simulation simulation;
+};
+
+/// @throws std::runtime_error or nlohmann::json::exception saying what is wrong.
+StoredSimulation stored_simulation(const designs::Json& json);
+
+/// Provenance of what a study writes.
+designs::Json study_provenance(const designs::StudySpec& study,
+                               const reports::ProgramInfo& program);
 
 }  // namespace parapet::study

@@ -16,7 +16,7 @@ optimizer::Problem make_problem(const designs::StudySpec& study);
 /// COBYLA.
 optimizer::Options make_options(const designs::StudySpec& study);
 
-/// Design of a point x [n], in the order of the study's variables.
+/// Design of a point x [n], in the order of the study's variables. Integers are rounded.
 designs::Design to_design(const designs::StudySpec& study, const std::vector<double>& x);
 
 /// What the optimizer says against the study's method, each placed under /method.

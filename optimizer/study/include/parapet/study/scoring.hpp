@@ -8,6 +8,7 @@
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/reports/evaluation_log.hpp"
 #include "parapet/solver/result.hpp"
+#include "parapet/study/quantity.hpp"
 
 namespace parapet::study {
 
@@ -23,14 +24,32 @@ struct Score {
   bool feasible = false;                  ///< every constraint, expressions too
 };
 
-/// Scores a design whose simulation ended well.
+/// Scores a design whose simulations ended well.
 ///
-/// The scalar is the sum of -weight value/scale (maximise) or +weight value/scale (minimise); a
-/// metric without a value counts with the objective's value_when_absent. The violation of a limit
-/// is (value - upper)/scale or (lower - value)/scale; that of a metric without a value is -1 when
-/// it is then satisfied and +1 otherwise.
+/// Objectives and constraints on metrics are statistics over the events (see Quantity). The scalar
+/// is the sum of -weight value/scale (maximise) or +weight value/scale (minimise). The violation of
+/// a limit is (value - upper)/scale or (lower - value)/scale; that of a quantity without a value is
+/// -1 when it is then satisfied and +1 otherwise. A constraint with the statistic probability is
+/// one limit, (quantile - probability).
+/// @param events [n_events] at least one, all weights together 1
+Score score(const designs::StudySpec& study, const designs::Design& design,
+            const std::vector<Event>& events);
+
+/// The same for a study with the base event alone.
 Score score(const designs::StudySpec& study, const designs::Design& design,
             const std::vector<solver::Metric>& metrics);
+
+/// Value of a formula at a design; a variable that does not exist there counts as 0. Empty where
+/// it is not finite.
+std::optional<double> formula_value(const designs::StudySpec& study, const std::string& expression,
+                                    const designs::Design& design);
+
+/// What reports call an objective.
+std::string objective_name(const designs::Objective& objective);
+
+/// Objectives of a record as numbers to be minimised [n_objectives], unscaled; empty when one has
+/// no value.
+std::vector<double> minimized_objectives(const reports::EvaluationRecord& record);
 
 /// What the constraints that need no simulation say; the others are left out.
 std::vector<reports::ConstraintRecord> score_expressions(const designs::StudySpec& study,

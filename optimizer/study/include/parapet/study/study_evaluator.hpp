@@ -3,62 +3,70 @@
 
 #include <atomic>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "parapet/optimizer/problem.hpp"
-#include "parapet/study/hooks.hpp"
-#include "parapet/study/study_folder.hpp"
+#include "parapet/study/study_context.hpp"
 
 namespace parapet::study {
+
+/// From a design's record, which is in the log, to what the optimizer wants to know.
+using Scalarizer = std::function<optimizer::Evaluation(const reports::EvaluationRecord& record)>;
+
+/// The weighted sum of the objectives, and the violations of the limits on metrics.
+Scalarizer weighted_sum(const designs::StudySpec& study);
 
 /// Because the log answers for designs that it holds, running an optimisation again in the same
 /// folder replays it: the same questions get the same answers to the bit.
 ///
 /// Ids follow the order of the questions, so that they do not depend on which of several
-/// simulations side by side ends first.
+/// simulations side by side ends first. All designs are simulated at the finest spacing.
 class StudyEvaluator {
  public:
-  /// All must outlive the evaluator.
-  /// @param jobs a batch runs this many simulations side by side; a single one, so many threads
-  StudyEvaluator(const designs::StudySpec& study, StudyFolder& folder,
-                 const reports::ProgramInfo& program, int jobs, const Hooks& hooks);
+  /// The context must outlive the evaluator.
+  /// @param jobs as many simulations side by side; fewer than that take several threads each
+  StudyEvaluator(const StudyContext& context, int jobs);
 
   /// Answers for the points xs [n_points][n]. After a cancellation or a failure of the file system
   /// the answers are failed ones and stopped() is true; nothing is thrown, because optimisers in
   /// other languages stand between.
   std::vector<optimizer::Evaluation> evaluate(const std::vector<std::vector<double>>& xs,
-                                              const std::string& stage);
+                                              const std::string& stage,
+                                              const Scalarizer& scalarizer);
 
   /// Whether no further question will be answered.
   bool stopped() const;
 
+  /// Whether a design was refused because method.max_cpu_time_s is used up; stopped() is true then.
+  bool out_of_cpu_time() const { return out_of_cpu_time_; }
+
   /// Throws what stopped the evaluator, if that was a failure.
   void throw_if_failed() const;
 
-  int answered_from_log() const { return answered_from_log_; }
+  /// Different designs that were asked for, whether simulated or found in the log, in the order of
+  /// the first question.
+  const std::vector<designs::Design>& asked() const { return asked_; }
 
  private:
-  struct Question {
-    std::string id;
-    designs::Design design;
-  };
-  Question pose(const std::vector<double>& x);
-  void simulate(const Question& question, const std::string& stage, int threads);
-  optimizer::Evaluation answer(const designs::Design& design) const;
+  std::unique_ptr<DesignJob> pose(const designs::Design& design, const std::string& stage);
+  void simulate(const std::vector<std::unique_ptr<DesignJob>>& jobs);
+  bool cpu_time_left();
+  optimizer::Evaluation answer(const designs::Design& design, const Scalarizer& scalarizer) const;
 
-  const designs::StudySpec& study_;
-  StudyFolder& folder_;
-  const reports::ProgramInfo& program_;
+  const StudyContext& context_;
   int jobs_;
-  const Hooks& hooks_;
-  std::mutex mutex_;  // guards folder_ while workers run
+  std::mutex mutex_;  // guards the folder while workers run
   std::set<int> ids_given_;
   int questions_ = 0;
-  int answered_from_log_ = 0;
+  std::vector<designs::Design> asked_;
+  std::set<designs::Design> asked_set_;
   std::atomic<bool> cancelled_ = false;
+  bool out_of_cpu_time_ = false;
   std::exception_ptr failure_;
 };
 

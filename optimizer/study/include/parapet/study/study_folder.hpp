@@ -1,17 +1,29 @@
-/// A study on disk: study.json, evaluations.jsonl, evaluations/ID.json and summary.json.
+/// A study on disk: study.json, evaluations.jsonl, evaluations/ID.json, summary.json, pareto.json
+/// and surrogates.json.
 #pragma once
 
 #include <chrono>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/reports/evaluation_log.hpp"
 #include "parapet/reports/provenance.hpp"
+#include "parapet/study/design_run.hpp"
 #include "parapet/study/folder_lock.hpp"
 
 namespace parapet::study {
+
+/// A design that was stopped before all of its events were simulated.
+struct UnfinishedDesign {
+  std::string id;
+  designs::Design design;
+  double spacing = 0.0;                           ///< [m]
+  std::map<std::string, Simulation> simulations;  ///< by scenario: those that ended
+};
 
 /// The folder of one study, locked for writing while this lives.
 class StudyFolder {
@@ -30,8 +42,26 @@ class StudyFolder {
   /// @throws reports::FileError
   void store(const reports::EvaluationRecord& record, const designs::Json& report);
 
-  /// Replaces summary.json.
-  void write_summary(const designs::Json& summary) const;
+  /// Writes evaluations/ID-SCENARIO.json, so that a stop does not lose it; nothing for a base
+  /// event. May be called from several threads at once.
+  /// @throws reports::FileError
+  void store_simulation(const std::string& id, const DesignRun& run, std::size_t event,
+                        const designs::Json& provenance) const;
+
+  /// Designs that an earlier run left behind incomplete, by id. Not changed by store().
+  const std::vector<UnfinishedDesign>& unfinished() const { return unfinished_; }
+
+  /// The simulation of one event of a design that an earlier run left incomplete; null when there
+  /// is none.
+  const Simulation* unfinished(const designs::Design& design, double spacing,
+                               const std::string& scenario) const;
+
+  /// Whether a design may take this id: no record has it, and no other incomplete design.
+  bool id_is_free(const std::string& id, const designs::Design& design, double spacing) const;
+
+  /// Replaces a JSON file of the folder, for example summary.json.
+  /// @throws reports::FileError
+  void write(const std::string& file_name, const designs::Json& content) const;
 
   const std::filesystem::path& path() const { return folder_; }
 
@@ -43,6 +73,7 @@ class StudyFolder {
   std::vector<std::string> notes_;
   FolderLock lock_;
   reports::EvaluationLog log_;
+  std::vector<UnfinishedDesign> unfinished_;
 };
 
 }  // namespace parapet::study
