@@ -171,7 +171,9 @@ class CaseInputs {
 /// @throws InputError for what makes no sense before any value is looked at.
 void require_structure(const StudySpec& study, const Design& design) {
   const std::vector<std::string> names = variable_names(study.variables);
-  for (const auto& [name, value] : design) {
+  for (const auto& entry : design) {
+    const std::string& name = entry.first;
+    const double value = entry.second;
     const auto fail = [&](const std::string& problem, const std::string& allowed) {
       return InputError({{study.source_file, child_pointer("/variables", name), short_text(value),
                           problem, allowed}});
