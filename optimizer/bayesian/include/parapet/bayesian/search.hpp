@@ -33,7 +33,7 @@ struct Suggestion {
   int id = 0;    ///< 0, 1, 2, ...: what tell() is given
   Point x = {};  ///< canonical
   int level = 0;
-  std::string stage = {};  ///< "start", "initial", "search" or "confirm"
+  std::string stage = {};  ///< "start", "initial", "search", "explore" or "confirm"
   double log_gain = 0.0;   ///< log of the expected gain (stage search)
 };
 
