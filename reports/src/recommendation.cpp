@@ -65,8 +65,8 @@ Json variables_json(const StudyLog& log, const LoggedDesign& design) {
     if (found == design.design.end()) continue;  // does not exist under the options taken
     const double value = found->second;
     const double near = at_bound_share * (variable.upper - variable.lower);
-    const char* bound = variable.choice              ? nullptr
-                        : value - variable.lower <= near   ? "lower"
+    const char* bound = variable.choice                  ? nullptr
+                        : value - variable.lower <= near ? "lower"
                         : variable.upper - value <= near ? "upper"
                                                          : nullptr;
     list.push_back({{"name", variable.name},

@@ -119,7 +119,8 @@ void check_variables(const LoggedDesign& design, const StudyLog& log) {
 
 void leave_out_coarse(std::vector<LoggedDesign>& designs) {
   double finest = std::numeric_limits<double>::infinity();
-  for (const LoggedDesign& design : designs) finest = std::min(finest, design.spacing.value_or(0.0));
+  for (const LoggedDesign& design : designs)
+    finest = std::min(finest, design.spacing.value_or(0.0));
   std::erase_if(designs,
                 [&](const LoggedDesign& design) { return design.spacing.value_or(0.0) > finest; });
 }

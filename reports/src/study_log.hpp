@@ -74,8 +74,8 @@ struct StudyLog {
   int barriers() const;  ///< of the base case; as many as the metrics name, at least
 };
 
-/// Designs at coarser particle spacings than the finest that is logged are left out: they served the
-/// search, no advice rests on them.
+/// Designs at coarser particle spacings than the finest that is logged are left out: they served
+/// the search, no advice rests on them.
 /// @throws designs::InputError naming file and line of what is missing or damaged. A last line of
 /// the log that is not complete is passed over.
 StudyLog read_study_log(const std::filesystem::path& study_dir);

@@ -189,7 +189,8 @@ class Series {
   void run_one(int number, int count) {
     const std::size_t used = evaluator_.asked().size();
     const std::size_t left = budget() - used;
-    const std::size_t share = std::max<std::size_t>(1, left / static_cast<std::size_t>(count - number));
+    const std::size_t share =
+        std::max<std::size_t>(1, left / static_cast<std::size_t>(count - number));
     const auto evaluated = asked_records(context_, evaluator_);
     const Subproblem subproblem = make_subproblem(context_.study, evaluated, number, count);
     const Scalarizer scalarizer = scalarizer_of(context_.study, subproblem);
@@ -202,8 +203,8 @@ class Series {
       options.starts = {to_x(context_.study, start->design)};
       options.start_count = 0;
     }
-    const std::size_t limits = static_cast<std::size_t>(metric_limit_count(context_.study)) +
-                               subproblem.limits.size();
+    const std::size_t limits =
+        static_cast<std::size_t>(metric_limit_count(context_.study)) + subproblem.limits.size();
     const optimizer::OptimizeResult result =
         solve(context_, evaluator_, scalarizer, limits, options, used + share, "search");
     total_.cache_hits += result.cache_hits;
@@ -242,8 +243,7 @@ std::vector<double> Subproblem::violations(const std::vector<double>& objectives
 }
 
 Subproblem make_subproblem(const designs::StudySpec& study,
-                           const std::vector<EvaluationRecord>& evaluated, int number,
-                           int count) {
+                           const std::vector<EvaluationRecord>& evaluated, int number, int count) {
   const std::size_t n = study.objectives.size();
   const auto ends = static_cast<int>(n) <= count ? static_cast<int>(n) : 0;
   Subproblem result;

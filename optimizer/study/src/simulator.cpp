@@ -40,8 +40,8 @@ Simulation from_result(const designs::StudySpec& study, const designs::CaseSpec&
   simulation.particle_steps = static_cast<double>(result.mass.particles_released) *
                               static_cast<double>(result.statistics.steps);
   simulation.report["numerics"] = spec.resolved.at("numerics");
-  simulation.report["simulation"] = simulation_json(
-      reports::result_json(study.name, result, nullptr, nullptr, spec.run.threads));
+  simulation.report["simulation"] =
+      simulation_json(reports::result_json(study.name, result, nullptr, nullptr, spec.run.threads));
   simulation.report["case"] = spec.resolved;
   simulation.report["series"] = reports::series_json(result.series);
   return simulation;
@@ -81,9 +81,9 @@ Simulator solver_simulator() {
 }
 
 double expected_seconds(const designs::StudySpec& study, double spacing) {
-  // single_deflector took 12.3 s of processor time at 5 mm (2,400 particles) and 1.23 s at 10 mm, on
-  // a core at 2.6 GHz. Particles grow with spacing^-2, time steps with spacing^-1, and the iterations
-  // of the implicit viscosity somewhat.
+  // single_deflector took 12.3 s of processor time at 5 mm (2,400 particles) and 1.23 s at 10 mm,
+  // on a core at 2.6 GHz. Particles grow with spacing^-2, time steps with spacing^-1, and the
+  // iterations of the implicit viscosity somewhat.
   constexpr double reference_particles = 2400.0, reference_seconds = 12.3;
   constexpr double exponent = 1.65;  // spacing^-3.3
   const Json& reservoir = study.base_case.at("reservoir");

@@ -1,10 +1,11 @@
 // Several objectives for NLopt: fronts of a problem whose front is known.
+#include "scalarized.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "fake_study.hpp"
 #include "parapet/study/problem.hpp"
-#include "scalarized.hpp"
 
 namespace parapet::test {
 namespace {

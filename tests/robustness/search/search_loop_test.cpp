@@ -36,8 +36,8 @@ TEST_F(SearchLoop, UsesItsBudgetAndFindsTheFront) {
   // 1.000 for the best of them, limit 1.05 for another version of the search.
   double nearest = 10.0;
   for (const auto& record : summary.pareto) {
-    nearest = std::min(nearest, std::sqrt(*record.objectives[0].value) +
-                                    std::sqrt(*record.objectives[1].value));
+    nearest = std::min(
+        nearest, std::sqrt(*record.objectives[0].value) + std::sqrt(*record.objectives[1].value));
   }
   EXPECT_LT(nearest, 1.05);
 }
@@ -169,9 +169,8 @@ TEST_F(SearchLoop, FailedDesignsAreRecordedAndNeverRecommended) {
 }
 
 TEST_F(SearchLoop, EveryDesignFailingIsAFailedStudy) {
-  const FakeSimulator simulator({.delays = false,
-                                 .fails = [](const designs::Design&) { return true; },
-                                 .cancel_after = -1});
+  const FakeSimulator simulator(
+      {.delays = false, .fails = [](const designs::Design&) { return true; }, .cancel_after = -1});
   const auto summary = run(parsed(fake_study()), "out", simulator);
   EXPECT_EQ(summary.state, StudyState::failed);
   EXPECT_NE(summary.message.find("it broke"), std::string::npos) << summary.message;
