@@ -8,6 +8,10 @@
 namespace parapet::bayesian {
 namespace {
 
+/// A front may be narrower than the noise (all designs hold everything back): it is then given this
+/// share of what was observed at all, so that noise is not mistaken for progress.
+constexpr double least_share = 0.25;
+
 /// Objectives of what was observed; only feasible designs of the finest level if there are any.
 std::vector<Eigen::VectorXd> observed(const Problem& problem, const std::vector<Told>& told,
                                       double tolerance, bool only_feasible) {
@@ -46,15 +50,15 @@ std::optional<Eigen::VectorXd> reference_point(const Problem& problem,
       worst = std::max(worst, points[k][j]);
     }
     double range = worst - best;
+    double least = all.front()[j], greatest = least;
+    for (const auto& y : all) {
+      least = std::min(least, y[j]);
+      greatest = std::max(greatest, y[j]);
+    }
     if (n == 1) {  // a front of one point: measure from the worst design
       for (const auto& y : points) worst = std::max(worst, y[j]);
-    } else if (range <= 0.0) {
-      double least = all.front()[j], greatest = least;
-      for (const auto& y : all) {
-        least = std::min(least, y[j]);
-        greatest = std::max(greatest, y[j]);
-      }
-      range = greatest - least;
+    } else {
+      range = std::max(range, least_share * (greatest - least));
     }
     reference[j] = worst + (range > 0.0 ? 0.1 * range : 0.1 * std::max(std::abs(worst), 1e-12));
   }
