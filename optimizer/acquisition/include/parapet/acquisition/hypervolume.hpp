@@ -20,6 +20,7 @@ std::vector<std::size_t> non_dominated(const std::vector<Objectives>& points);
 /// every objective add nothing. Exact for any number of objectives (sweep for two, the WFG
 /// algorithm of While, Bradstreet and Barone, IEEE Trans. Evol. Comput. 16 (2012) 86-95, for more);
 /// for one it is the distance of the best value to the reference.
+/// @throws std::invalid_argument for vectors of different length.
 double hypervolume(const std::vector<Objectives>& points, const Objectives& reference);
 
 /// A box lower < y <= upper; lower may be -infinity.
@@ -29,8 +30,11 @@ struct Box {
 
 /// Disjoint boxes that together are the part of {ideal < y <= reference} that no point dominates:
 /// an objective vector that lands there adds hypervolume. `ideal` holds the least values that are
-/// possible at all, -infinity where nothing is known. Two objectives give n + 1 boxes, more the
-/// decomposition of Lacour, Klamroth and Fonseca (Comput. Oper. Res. 79 (2017) 347-360).
+/// possible at all, -infinity where nothing is known. A sweep along the last objective, in which
+/// boxes of the others go on until a point changes them: n + 1 boxes at most for two objectives and
+/// 2 n + 1 for three, the least that is possible in general (Lacour, Klamroth and Fonseca, Comput.
+/// Oper. Res. 79 (2017) 347-360, decompose as finely).
+/// @throws std::invalid_argument for vectors of different length.
 std::vector<Box> undominated_boxes(const std::vector<Objectives>& points,
                                    const Objectives& reference, const Objectives& ideal);
 

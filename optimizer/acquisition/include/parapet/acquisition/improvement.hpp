@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "parapet/acquisition/hypervolume.hpp"
@@ -16,7 +17,8 @@ double log_expected_excess(double x, double sigma);
 /// log Phi(t), accurate in the far tail.
 double log_normal_cdf(double t);
 
-/// log(exp(a) - exp(b)) for a >= b, log(exp(a) + exp(b)), and log of the mean of exp(v).
+/// log(exp(a) - exp(b)) for a >= b (-infinity also where rounding turned their order), log(exp(a) +
+/// exp(b)), and log of the mean of exp(v), -infinity for none.
 double log_difference(double a, double b);
 double log_sum(double a, double b);
 double log_mean(const Eigen::VectorXd& v);
@@ -25,7 +27,8 @@ double log_mean(const Eigen::VectorXd& v);
 /// boxes of undominated_boxes: a closed form,
 ///   EHVI = sum_boxes prod_j (E[(upper_j - y_j)+] - E[(lower_j - y_j)+])
 /// (Yang et al., Swarm Evol. Comput. 44 (2019) 945-956). -infinity only without boxes or where sd
-/// is 0.
+/// is 0. With one objective it is the log of the expected improvement.
+/// @throws std::invalid_argument for vectors of different length.
 double log_ehvi(const std::vector<Box>& boxes, const Objectives& mean, const Objectives& sd);
 
 /// log of the probability that lower <= y <= upper for y ~ N(mean, sd^2); limits may be infinite.
@@ -37,22 +40,46 @@ double log_probability_within(double mean, double sd, double lower, double upper
 class NoisyFront {
  public:
   /// objectives: n_samples matrices [n_designs, n_objectives], minimised; feasible: n_samples
-  /// vectors [n_designs] (1 or 0): whether the draw meets the constraints.
+  /// vectors [n_designs] (1 or 0): whether the draw meets the constraints. A design counts only in
+  /// the draws where it does; in a draw without any the boxes are all of {ideal < y <= reference}.
+  /// @throws std::invalid_argument for shapes that do not fit, or no draw at all.
   NoisyFront(const std::vector<Eigen::MatrixXd>& objectives,
              const std::vector<Eigen::VectorXi>& feasible, const Objectives& reference,
              const Objectives& ideal);
 
   /// log of the mean over draws of (expected hypervolume improvement times probability of meeting
   /// the constraints). means: [n_samples, n_objectives], sd: [n_objectives], log_feasible:
-  /// [n_samples].
+  /// [n_samples]. The posterior of the candidate given one draw of the others has the same sd for
+  /// every draw. Safe to call from several threads.
+  /// @throws std::invalid_argument for shapes that do not fit, values that are not numbers or a
+  /// negative standard deviation.
   double log_improvement(const Eigen::MatrixXd& means, const Objectives& sd,
                          const Eigen::VectorXd& log_feasible) const;
 
   bool any_feasible() const { return any_feasible_; }  ///< in at least one draw
-  int n_samples() const { return static_cast<int>(boxes_.size()); }
+  int n_samples() const { return static_cast<int>(fronts_.size()); }
 
  private:
-  std::vector<std::vector<Box>> boxes_;  // [n_samples]
+  struct Side {  // positions among the limits
+    int lower, upper;
+  };
+  struct Front {  // the undominated boxes of one draw
+    Front(const std::vector<Box>& boxes, std::size_t n_objectives);
+    std::vector<std::vector<double>> limits;  // [n_objectives], sorted: neighbours share them
+    std::vector<Side> sides;                  // [n_boxes, n_objectives]
+    std::size_t n_boxes;
+  };
+  struct Excess {  // of one limit
+    double straight, tail;
+  };
+
+  double plain_improvement(const Front& front, const double* mean, const double* sd,
+                           std::vector<Excess>& excess) const;
+  double log_improvement_of(const Front& front, const double* mean, const double* sd,
+                            std::vector<Excess>& excess) const;
+
+  std::vector<Front> fronts_;  // [n_samples]
+  std::size_t n_objectives_ = 0, most_limits_ = 0;
   bool any_feasible_ = false;
 };
 
