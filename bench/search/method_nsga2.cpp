@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/nsga2.hpp>
@@ -80,22 +81,25 @@ std::vector<Eigen::VectorXd> brute_force_front(const BenchProblem& problem, int 
   BenchProblem noise_free = problem;
   noise_free.evaluate = [truth = problem.truth](const Design& x, int) { return truth(x); };
   std::vector<Eigen::VectorXd> found;
+  std::size_t enough = 4000;  // then what is dominated is thrown out
+  const auto prune = [&] {
+    std::vector<Eigen::VectorXd> front;
+    for (const std::size_t i : acquisition::non_dominated(found)) front.push_back(found[i]);
+    found = std::move(front);
+    enough = std::max<std::size_t>(4000, 2 * found.size());
+  };
   const auto keep = [&](const Run& run) {
     for (const Step& step : run.steps) {
       const Verdict verdict = judge(problem, problem.truth(step.x));
       if (verdict.feasible) found.push_back(verdict.objectives);
-      if (found.size() < 4000) continue;
-      std::vector<Eigen::VectorXd> front;
-      for (const std::size_t i : acquisition::non_dominated(found)) front.push_back(found[i]);
-      found = std::move(front);
+      if (found.size() >= enough) prune();
     }
   };
   keep(nsga2_search(noise_free, 200, 1, evaluations / 2));
   keep(nsga2_search(noise_free, 100, 2, evaluations / 4));
   keep(random_search(noise_free, 3, evaluations / 4));
-  std::vector<Eigen::VectorXd> front;
-  for (const std::size_t i : acquisition::non_dominated(found)) front.push_back(found[i]);
-  return front;
+  prune();
+  return found;
 }
 
 }  // namespace parapet::bench::search
