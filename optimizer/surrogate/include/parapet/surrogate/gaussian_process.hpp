@@ -108,8 +108,14 @@ class GaussianProcess {
   const Parameters& parameters() const { return parameters_; }
 
  private:
+  friend class PosteriorSamples;
+  void condition(bool keep_means);
+  void require_features(const Eigen::MatrixXd& inputs, int level) const;
+  /// L^-1 k(data, inputs) [n, m] for f_level at the inputs.
+  Eigen::MatrixXd whitened(const Eigen::MatrixXd& inputs, int level) const;
+
   Layout layout_;
-  Data data_;
+  Data data_;  // levels filled in
   Parameters parameters_;
   Eigen::MatrixXd factor_;   // [n, n] lower Cholesky factor of K + noise
   Eigen::VectorXd weights_;  // [n] (K + noise)^-1 (z - mean)
@@ -133,10 +139,11 @@ class PosteriorSamples {
 
  private:
   const GaussianProcess& process_;
-  Eigen::MatrixXd at_;       // [p, n_features]
-  Eigen::MatrixXd values_;   // [n_samples, p]
-  Eigen::MatrixXd factor_;   // [p, p] Cholesky factor of the posterior covariance
-  Eigen::MatrixXd weights_;  // [p, n_samples] C^-1 (values - mean)
+  Eigen::MatrixXd at_;        // [p, n_features]
+  Eigen::MatrixXd values_;    // [n_samples, p]
+  Eigen::MatrixXd factor_;    // [p, p] Cholesky factor of the posterior covariance
+  Eigen::MatrixXd weights_;   // [p, n_samples] C^-1 (values - mean)
+  Eigen::MatrixXd whitened_;  // [n, p] the process's data against these inputs
 };
 
 }  // namespace parapet::surrogate
