@@ -1,0 +1,33 @@
+/// Finds the design of the largest expected gain.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "candidates.hpp"
+
+namespace parapet::bayesian {
+
+/// log of the gain [m] at designs.
+using LogGain = std::function<Eigen::VectorXd(const std::vector<Point>& xs)>;
+
+struct Candidate {
+  Point x;
+  double log_gain = 0.0;
+};
+
+struct MaximizeInput {
+  LogGain screen;              ///< cheap, for the many
+  LogGain gain;                ///< exact, for the few
+  std::vector<Point> centers;  ///< designs to look around: the front and what is promising
+  std::vector<Point> extra;    ///< designs to look at as they are
+  std::function<bool(const Point& x)> repeated;  ///< already evaluated, or nearly
+};
+
+/// Screens designs spread over the space and around the centers, then climbs from the best few with
+/// steps that shrink. Repeated designs are passed over. Empty when all designs are repeated.
+std::optional<Candidate> maximize_gain(const MaximizeInput& input, const Space& space,
+                                       Candidates& candidates);
+
+}  // namespace parapet::bayesian

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cmath>
+
+#include "candidates.hpp"
+#include "search_state.hpp"
+
+namespace parapet::bayesian {
+namespace {
+
+/// Enough to see a slope in every variable, at most a third of the budget.
+std::size_t initial_count(const Problem& problem, const SearchOptions& options) {
+  if (options.initial_designs > 0) return static_cast<std::size_t>(options.initial_designs);
+  const std::size_t wanted = 2 * problem.space.size() + 2;
+  const auto affordable = static_cast<std::size_t>(std::max(1, options.max_evaluations / 3));
+  return std::max<std::size_t>(1, std::min(wanted, affordable));
+}
+
+}  // namespace
+
+/// The user's starts at the finest level, then designs spread over the allowed space. With several
+/// levels the coarsest gets them all, half as many more than there would be with one, and the
+/// finest a third of these, so that the levels can be compared.
+void Search::State::make_plan() {
+  planned = true;
+  Candidates candidates(problem, options.feasibility_tolerance, options.seed, 0);
+  for (const Point& start : options.starts) {
+    plan.push_back({problem.space.canonical(start), 0, "start"});
+  }
+  const bool several_levels = problem.levels.size() > 1;
+  std::size_t n = initial_count(problem, options);
+  if (several_levels) n += n / 2;
+  const std::size_t known = told.size() + plan.size();
+  if (known >= n) return;
+  const std::vector<Point> spread = candidates.spread(n - known);
+  if (spread.empty() && plan.empty() && told.empty()) stop = StopReason::no_allowed_design;
+  const int coarsest = static_cast<int>(problem.levels.size()) - 1;
+  for (std::size_t k = 0; k < spread.size(); ++k) {
+    plan.push_back({spread[k], coarsest, "initial"});
+    if (several_levels && k % 3 == 0) plan.push_back({spread[k], 0, "initial"});
+  }
+}
+
+std::optional<Suggestion> Search::State::next_planned() {
+  while (!plan.empty()) {
+    Planned next = std::move(plan.front());
+    plan.pop_front();
+    // A start that the constraints refuse is not evaluated, nor one that is there already.
+    if (!allowed(problem, next.x, options.feasibility_tolerance)) continue;
+    if (levels_taken(next.x)[static_cast<std::size_t>(next.level)]) continue;
+    return issue(std::move(next.x), next.level, std::move(next.stage), 0.0);
+  }
+  return std::nullopt;
+}
+
+/// Without a model of every objective: the design farthest from all others, weighed by the chance
+/// that its evaluation succeeds.
+std::optional<Suggestion> Search::State::suggest_far_away() {
+  Candidates candidates(problem, options.feasibility_tolerance, options.seed,
+                        1000003ULL + static_cast<std::uint64_t>(next_id));
+  std::vector<Point> xs = candidates.spread(256);
+  std::erase_if(xs, [&](const Point& x) { return repeated(x); });
+  if (xs.empty()) return nothing_left();
+  const Eigen::MatrixXd inputs = problem.space.features(xs);
+  Eigen::VectorXd value = models.log_success(inputs);
+  std::vector<Point> others;
+  for (const Told& t : told) others.push_back(t.x);
+  for (const auto& [id, suggestion] : pending) others.push_back(suggestion.x);
+  const Eigen::MatrixXd known = problem.space.features(others);
+  for (Eigen::Index k = 0; k < value.size() && known.rows() > 0; ++k) {
+    const double nearest = (known.rowwise() - inputs.row(k)).rowwise().norm().minCoeff();
+    value[k] += std::log(std::max(nearest, 1e-12));
+  }
+  Eigen::Index best = 0;
+  value.maxCoeff(&best);
+  return issue(std::move(xs[static_cast<std::size_t>(best)]), 0, "initial", 0.0);
+}
+
+}  // namespace parapet::bayesian

@@ -1,0 +1,248 @@
+#include "search_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "level_choice.hpp"
+#include "maximize_gain.hpp"
+#include "parapet/acquisition/hypervolume.hpp"
+#include "reference_point.hpp"
+
+namespace parapet::bayesian {
+namespace {
+
+constexpr int screening_samples = 8;
+
+}  // namespace
+
+Search::State::State(Problem the_problem, SearchOptions the_options)
+    : problem(std::move(the_problem)),
+      options(std::move(the_options)),
+      models(problem, options.seed) {}
+
+void Search::State::check_point(const Point& x, int level, const Observation& observation) const {
+  if (x.size() != problem.space.size()) throw std::invalid_argument("a point of a wrong length");
+  if (level < 0 || level >= static_cast<int>(problem.levels.size())) {
+    throw std::invalid_argument("no such level: " + std::to_string(level));
+  }
+  if (observation.ok && observation.values.size() != problem.metrics.size()) {
+    throw std::invalid_argument("an observation of " + std::to_string(observation.values.size()) +
+                                " values; wanted " + std::to_string(problem.metrics.size()));
+  }
+}
+
+int Search::State::add_told(int id, const Point& x, int level, const Observation& observation) {
+  Told t{.id = id,
+         .x = x,
+         .level = level,
+         .ok = observation.ok,
+         .values = observation.values,
+         .seconds = observation.seconds};
+  t.values.resize(problem.metrics.size());
+  for (std::size_t metric = 0; metric < t.values.size(); ++metric) {
+    const auto& exact = problem.metrics[metric].exact;
+    if (exact) t.values[metric] = exact(x);
+    if (t.values[metric] && !std::isfinite(*t.values[metric])) t.values[metric].reset();
+  }
+  spent += observation.seconds;
+  told.push_back(std::move(t));
+  update_history();
+  return id;
+}
+
+void Search::State::update_history() {
+  const auto reference = reference_point(problem, told, options.feasibility_tolerance);
+  if (!reference) {
+    history.push_back({static_cast<int>(told.size()), spent, 0.0});
+    return;
+  }
+  const bool moved = history_reference.size() == 0 || *reference != history_reference;
+  history_reference = *reference;
+  std::size_t first = moved ? 0 : history.size();
+  std::vector<acquisition::Objectives> points;
+  double seconds = 0.0;
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    seconds += told[k].seconds;
+    const bool counts = told[k].ok && told[k].level == 0 &&
+                        meets_limits(problem, told[k].values, options.feasibility_tolerance);
+    if (counts) {
+      if (auto y = minimized(problem, told[k].values)) points.push_back(std::move(*y));
+    }
+    if (k < first) continue;
+    const double volume = acquisition::hypervolume(points, history_reference);
+    const HistoryEntry entry{static_cast<int>(k) + 1, seconds, volume};
+    if (k < history.size()) {
+      history[k] = entry;
+    } else {
+      history.push_back(entry);
+    }
+  }
+}
+
+int Search::State::remaining() const {
+  return options.max_evaluations - static_cast<int>(told.size() + pending.size());
+}
+
+std::vector<double> Search::State::level_seconds() const {
+  std::vector<double> sum(problem.levels.size(), 0.0), count(problem.levels.size(), 0.0);
+  for (const Told& t : told) {
+    sum[static_cast<std::size_t>(t.level)] += t.seconds;
+    count[static_cast<std::size_t>(t.level)] += 1.0;
+  }
+  std::vector<double> seconds;
+  for (std::size_t l = 0; l < sum.size(); ++l) {
+    const bool measured = count[l] > 0.0 && sum[l] > 0.0;
+    seconds.push_back(measured ? sum[l] / count[l] : problem.levels[l].seconds);
+  }
+  return seconds;
+}
+
+bool Search::State::out_of_budget() {
+  if (remaining() <= 0) stop = StopReason::budget;
+  if (options.max_seconds > 0.0) {
+    const std::vector<double> seconds = level_seconds();
+    double expected = spent;
+    for (const auto& [id, s] : pending) expected += seconds[static_cast<std::size_t>(s.level)];
+    if (expected >= options.max_seconds) stop = StopReason::seconds;
+  }
+  return stop != StopReason::none;
+}
+
+bool Search::State::stagnates() const {
+  constexpr double share_that_counts = 1e-3;
+  const auto k = static_cast<std::size_t>(std::max(0, options.stagnation_evaluations));
+  if (k == 0 || history.size() <= k) return false;
+  const double now = history.back().hypervolume;
+  return now > 0.0 && now - history[history.size() - 1 - k].hypervolume <= share_that_counts * now;
+}
+
+Suggestion Search::State::issue(Point x, int level, std::string stage, double log_gain) {
+  Suggestion suggestion{.id = next_id++,
+                        .x = std::move(x),
+                        .level = level,
+                        .stage = std::move(stage),
+                        .log_gain = log_gain};
+  pending.emplace(suggestion.id, suggestion);
+  return suggestion;
+}
+
+bool Search::State::near(const Point& a, const Point& b) const {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::isnan(a[i]) != std::isnan(b[i])) return false;
+  }
+  const auto u = problem.space.to_unit(a), v = problem.space.to_unit(b);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    if (std::abs(u[i] - v[i]) > options.duplicate_distance) return false;
+  }
+  return true;
+}
+
+bool Search::State::repeated(const Point& x) const {
+  const auto here = [&](const auto& other) { return near(x, other.x); };
+  return std::any_of(told.begin(), told.end(),
+                     [&](const Told& t) { return (t.level == 0 || !t.ok) && here(t); }) ||
+         std::any_of(pending.begin(), pending.end(), [&](const auto& p) { return here(p.second); });
+}
+
+std::vector<bool> Search::State::levels_taken(const Point& x) const {
+  std::vector<bool> taken(problem.levels.size(), false);
+  for (const Told& t : told) {
+    if (near(x, t.x)) taken[static_cast<std::size_t>(t.level)] = true;
+  }
+  for (const auto& [id, s] : pending) {
+    if (near(x, s.x)) taken[static_cast<std::size_t>(s.level)] = true;
+  }
+  return taken;
+}
+
+/// The end of the budget is kept for the finest level: what coarse levels promise must be
+/// confirmed.
+bool Search::State::confirming() const {
+  if (problem.levels.size() == 1) return false;
+  const int reserve = std::clamp(options.max_evaluations / 6, 1, 10);
+  if (remaining() <= reserve) return true;
+  if (options.max_seconds <= 0.0) return false;
+  return options.max_seconds - spent <= reserve * level_seconds().front();
+}
+
+bool Search::State::can_model() const {
+  return std::all_of(problem.objectives.begin(), problem.objectives.end(), [&](const auto& o) {
+    return problem.metrics[o.metric].exact || models.process(o.metric) != nullptr;
+  });
+}
+
+std::optional<Suggestion> Search::State::nothing_left() {
+  if (pending.empty()) stop = StopReason::exhausted;
+  return std::nullopt;
+}
+
+std::optional<Suggestion> Search::State::ask() {
+  if (stop != StopReason::none || out_of_budget()) return std::nullopt;
+  if (!planned) make_plan();
+  if (auto suggestion = next_planned()) return suggestion;
+  if (stop != StopReason::none) return std::nullopt;
+  if (stagnates()) {
+    stop = StopReason::stagnation;
+    return std::nullopt;
+  }
+  models.update(told);
+  if (!can_model()) return suggest_far_away();
+  return suggest_gain();
+}
+
+std::optional<Suggestion> Search::State::suggest_gain() {
+  std::vector<Suggestion> waiting;
+  for (const auto& [id, suggestion] : pending) waiting.push_back(suggestion);
+  const auto reference = reference_point(problem, told, options.feasibility_tolerance);
+  if (!reference) return suggest_far_away();
+  const auto stream = static_cast<std::uint64_t>(next_id) + 1;
+  Gain::Input input{.problem = problem,
+                    .models = models,
+                    .told = told,
+                    .pending = waiting,
+                    .reference = *reference,
+                    .n_samples = options.samples,
+                    .seed = options.seed * 1000003ULL + stream,
+                    .tolerance = options.feasibility_tolerance};
+  const Gain gain(input);
+  input.n_samples = std::min(screening_samples, options.samples);
+  const Gain screen(input);
+
+  MaximizeInput search;
+  search.gain = [&](const std::vector<Point>& xs) { return gain.log_gain(xs); };
+  search.screen = [&](const std::vector<Point>& xs) { return screen.log_gain(xs); };
+  search.repeated = [&](const Point& x) { return repeated(x); };
+  search.centers = gain.front_designs();
+  for (const Told& t : told) {
+    if (t.ok && t.level > 0 && !repeated(t.x)) search.extra.push_back(t.x);
+  }
+  Candidates candidates(problem, options.feasibility_tolerance, options.seed, stream);
+  auto best = maximize_gain(search, problem.space, candidates);
+  if (!best) return nothing_left();
+
+  const double gained = std::exp(best->log_gain);
+  const double least = std::max(options.least_gain * gain.mean_hypervolume(), gain.noise_volume());
+  if (options.least_gain > 0.0 && gained < least && gain.any_feasible()) {
+    if (pending.empty()) stop = StopReason::small_gain;
+    return std::nullopt;
+  }
+  if (problem.levels.size() == 1) return issue(std::move(best->x), 0, "search", best->log_gain);
+  // What was evaluated coarsely nearby is meant, to the bit: the levels share designs.
+  bool known = false;
+  for (const Told& t : told) {
+    if (t.level > 0 && near(best->x, t.x)) {
+      best->x = t.x;
+      known = true;
+      break;
+    }
+  }
+  const int level =
+      confirming() ? 0
+                   : choose_level(problem, models, best->x, level_seconds(), levels_taken(best->x));
+  const bool confirms = level == 0 && known;
+  return issue(std::move(best->x), level, confirms ? "confirm" : "search", best->log_gain);
+}
+
+}  // namespace parapet::bayesian

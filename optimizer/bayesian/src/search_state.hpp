@@ -1,0 +1,62 @@
+/// The state of a search, and the steps of ask().
+#pragma once
+
+#include <deque>
+#include <map>
+
+#include "gain.hpp"
+#include "models.hpp"
+#include "parapet/bayesian/search.hpp"
+#include "told.hpp"
+
+namespace parapet::bayesian {
+
+/// A design that is to be evaluated before the surrogates are asked.
+struct Planned {
+  Point x;
+  int level = 0;
+  std::string stage;
+};
+
+struct Search::State {
+  State(Problem the_problem, SearchOptions the_options);
+
+  Problem problem;
+  SearchOptions options;
+  std::vector<Told> told;
+  std::map<int, Suggestion> pending;  // by id
+  std::deque<Planned> plan;
+  bool planned = false;
+  int next_id = 0;
+  Models models;
+  StopReason stop = StopReason::none;
+  double spent = 0.0;     // [s]
+  double own_time = 0.0;  // [s]
+  std::vector<HistoryEntry> history;
+  Eigen::VectorXd history_reference;  // the history's hypervolumes are measured from here
+
+  void check_point(const Point& x, int level, const Observation& observation) const;
+  int add_told(int id, const Point& x, int level, const Observation& observation);
+  void update_history();
+
+  std::optional<Suggestion> ask();
+  bool out_of_budget();
+  bool stagnates() const;
+  int remaining() const;
+  std::vector<double> level_seconds() const;  // [n_levels], measured means where there are any
+
+  void make_plan();
+  std::optional<Suggestion> next_planned();
+  bool can_model() const;
+  std::optional<Suggestion> suggest_far_away();
+  std::optional<Suggestion> suggest_gain();
+  std::optional<Suggestion> nothing_left();
+  Suggestion issue(Point x, int level, std::string stage, double log_gain);
+
+  bool near(const Point& a, const Point& b) const;
+  bool repeated(const Point& x) const;                   // at the finest level, or pending
+  std::vector<bool> levels_taken(const Point& x) const;  // [n_levels]
+  bool confirming() const;
+};
+
+}  // namespace parapet::bayesian
