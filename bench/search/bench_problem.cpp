@@ -7,6 +7,7 @@
 
 #include "oracle.hpp"
 #include "parapet/designs/study_spec.hpp"
+#include "study_part.hpp"
 
 namespace parapet::bench::search {
 namespace {
@@ -72,24 +73,6 @@ void add_objective(BenchProblem& problem, const Oracles& oracles, const Json& js
                                }});
   }
   problem.objectives.push_back(objective);
-}
-
-// The limits of the study that need no simulation.
-void add_cheap_constraints(BenchProblem& problem, const designs::StudySpec& study) {
-  std::vector<designs::Constraint> limits;
-  for (const designs::Constraint& c : study.constraints) {
-    if (!c.expression.empty()) limits.push_back(c);
-  }
-  if (limits.empty()) return;
-  problem.cheap_constraints = [limits, variables = problem.variables](const Design& x) {
-    std::vector<double> violations;
-    for (const designs::Constraint& c : limits) {
-      const double value = designs::evaluate_expression(c.expression, named(variables, x));
-      if (c.upper) violations.push_back((value - *c.upper) / c.scale);
-      if (c.lower) violations.push_back((*c.lower - value) / c.scale);
-    }
-    return violations;
-  };
 }
 
 void add_evaluators(BenchProblem& problem, const Oracles& oracles) {
@@ -161,13 +144,11 @@ BenchProblem load_problem(const std::filesystem::path& list, const std::filesyst
   BenchProblem problem;
   problem.name = name;
   const auto levels = json.at("levels").get<std::vector<std::string>>();
-  const designs::StudySpec study =
-      designs::load_study(list.parent_path() / (levels.front() + ".json"));
-  for (const designs::Variable& v : study.variables) {
-    problem.variables.push_back(v.name);
-    problem.lower.push_back(v.lower);
-    problem.upper.push_back(v.upper);
-  }
+  const StudyPart study = read_study_part(list.parent_path() / (levels.front() + ".json"));
+  problem.variables = study.variables;
+  problem.lower = study.lower;
+  problem.upper = study.upper;
+  problem.cheap_constraints = study.cheap_constraints;
   const auto oracles = std::make_shared<std::vector<Oracle>>();
   problem.level_seconds.clear();
   for (const std::string& level : levels) {
@@ -188,7 +169,6 @@ BenchProblem load_problem(const std::filesystem::path& list, const std::filesyst
     l.scale = limit.value("scale", 1.0);
     problem.limits.push_back(l);
   }
-  add_cheap_constraints(problem, study);
   add_evaluators(problem, oracles);
   problem.evaluations = json.at("evaluations");
   problem.peer_evaluations = json.at("peer_evaluations");

@@ -87,7 +87,8 @@ int main(int argc, char** argv) {
   using namespace parapet::bench::search;
   const bool quick = argc == 7 && std::string(argv[6]) == "--quick";
   if (argc != 6 && !quick) {
-    fmt::print(stderr, "usage: bench_search_compare LIST.json TABLES PROBLEM OUT SEEDS [--quick]\n");
+    fmt::print(stderr,
+               "usage: bench_search_compare LIST.json TABLES PROBLEM OUT SEEDS [--quick]\n");
     return 2;
   }
   try {

@@ -9,8 +9,8 @@ namespace {
 bayesian::Problem as_bayesian(const BenchProblem& problem, bool all_levels) {
   std::vector<bayesian::Variable> variables;
   for (std::size_t j = 0; j < problem.dimension(); ++j) {
-    variables.push_back({problem.variables[j], bayesian::VariableKind::continuous,
-                         problem.lower[j], problem.upper[j], std::nullopt});
+    variables.push_back({problem.variables[j], bayesian::VariableKind::continuous, problem.lower[j],
+                         problem.upper[j], std::nullopt});
   }
   bayesian::Problem out;
   out.space = bayesian::Space(variables);

@@ -65,9 +65,9 @@ Run nsga2_search(const BenchProblem& problem, int population, std::uint64_t seed
   pagmo::population people =
       start_population(problem, pagmo::problem{Metered{&meter}}, population, seed);
   // as pagmo ships it, but mutation with probability 1/d as the paper has it
-  pagmo::algorithm algorithm{
-      pagmo::nsga2(1, 0.95, 10.0, 1.0 / static_cast<double>(problem.dimension()), 50.0,
-                   static_cast<unsigned>(seed))};
+  pagmo::algorithm algorithm{pagmo::nsga2(1, 0.95, 10.0,
+                                          1.0 / static_cast<double>(problem.dimension()), 50.0,
+                                          static_cast<unsigned>(seed))};
   for (int idle = 0; !meter.spent() && idle < 100;) {
     const int before = meter.left();
     people = algorithm.evolve(people);

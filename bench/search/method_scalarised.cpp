@@ -73,9 +73,9 @@ Design best_start(const std::vector<std::pair<Design, Verdict>>& first,
     if (!v.ok) return std::make_pair(1e9, 0.0);
     return std::make_pair(v.total_violation(), chebyshev(v.objectives, weights, ranges));
   };
-  const auto best = std::min_element(
-      first.begin(), first.end(),
-      [&](const auto& a, const auto& b) { return key(a.second) < key(b.second); });
+  const auto best = std::min_element(first.begin(), first.end(), [&](const auto& a, const auto& b) {
+    return key(a.second) < key(b.second);
+  });
   return best->first;
 }
 
@@ -89,8 +89,7 @@ optimizer::Problem scalar_problem(Meter& meter, const Eigen::VectorXd& weights,
   scalar.n_constraints = static_cast<int>(problem.limits.size());
   if (problem.cheap_constraints) {
     scalar.cheap_constraints = problem.cheap_constraints;
-    scalar.n_cheap_constraints =
-        static_cast<int>(problem.cheap_constraints(problem.lower).size());
+    scalar.n_cheap_constraints = static_cast<int>(problem.cheap_constraints(problem.lower).size());
   }
   scalar.evaluate = [&meter, weights, ranges](const Design& x) {
     const std::optional<Verdict> verdict = meter.evaluate(x);

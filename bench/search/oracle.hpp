@@ -17,8 +17,9 @@ namespace parapet::bench::search {
 struct TableRow {
   std::vector<double> u;  // [d] in the unit cube
   bool ok = false;
-  std::map<std::string, std::optional<double>> metrics;  // no value: nothing overflowed, for example
-  double wall_time = 0.0;                                // [s]
+  std::map<std::string, std::optional<double>>
+      metrics;             // no value: nothing overflowed, for example
+  double wall_time = 0.0;  // [s]
 };
 
 // What is known of one metric.

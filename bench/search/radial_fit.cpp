@@ -134,9 +134,8 @@ double RadialSurface::at(const Eigen::MatrixXd& designs, const Eigen::VectorXd& 
 RadialFit fit_radial(const Eigen::MatrixXd& designs, const Eigen::VectorXd& values) {
   if (designs.rows() <= designs.cols() + 2) {
     throw std::invalid_argument("a surface in " + std::to_string(designs.cols()) +
-                                " variables needs more than " +
-                                std::to_string(designs.cols() + 2) + " designs, not " +
-                                std::to_string(designs.rows()));
+                                " variables needs more than " + std::to_string(designs.cols() + 2) +
+                                " designs, not " + std::to_string(designs.rows()));
   }
   return fit_radial(designs, values, choose_scale(designs, values));
 }

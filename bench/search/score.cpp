@@ -63,8 +63,7 @@ Yardstick make_yardstick(const BenchProblem& problem, std::vector<Eigen::VectorX
   return yardstick;
 }
 
-void extend(Yardstick& yardstick, const BenchProblem& problem,
-            const std::vector<MethodRuns>& all) {
+void extend(Yardstick& yardstick, const BenchProblem& problem, const std::vector<MethodRuns>& all) {
   std::vector<Eigen::VectorXd> points = yardstick.front;
   for (const MethodRuns& method : all) {
     for (const Run& run : method.runs) {

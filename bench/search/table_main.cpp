@@ -13,23 +13,25 @@
 #include <iostream>
 
 #include "oracle.hpp"
-#include "parapet/designs/study_spec.hpp"
 #include "scrambled_sobol.hpp"
+#include "study_part.hpp"
 
 namespace parapet::bench::search {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-double to_six_digits(double u) { return std::strtod(fmt::format("{:.6g}", u).c_str(), nullptr); }
+double to_six_digits(double u) {
+  return std::strtod(fmt::format("{:.6g}", u).c_str(), nullptr);
+}
 
-TableRow read_row(const Json& json, const designs::StudySpec& study) {
+TableRow read_row(const Json& json, const StudyPart& study) {
   TableRow row;
   row.ok = json.contains("ok") ? json.at("ok").get<bool>() : json.at("status") == "ok";
-  for (const designs::Variable& v : study.variables) {
-    const double x = json.at("design").at(v.name);
+  for (std::size_t j = 0; j < study.variables.size(); ++j) {
+    const double x = json.at("design").at(study.variables[j]);
     // rounded as it will be written, so that the surface is fitted to what is read later
-    row.u.push_back(to_six_digits((x - v.lower) / (v.upper - v.lower)));
+    row.u.push_back(to_six_digits((x - study.lower[j]) / (study.upper[j] - study.lower[j])));
   }
   if (json.at("metrics").is_object()) {
     for (const auto& [key, value] : json.at("metrics").items()) {
@@ -41,7 +43,7 @@ TableRow read_row(const Json& json, const designs::StudySpec& study) {
   return row;
 }
 
-std::vector<TableRow> read_rows(const std::string& file, const designs::StudySpec& study) {
+std::vector<TableRow> read_rows(const std::string& file, const StudyPart& study) {
   std::ifstream in(file);
   if (!in) throw std::invalid_argument("cannot read " + file);
   std::vector<TableRow> rows;
@@ -70,31 +72,24 @@ void print_fit(const Oracle& oracle) {
   }
 }
 
-void make_table(const designs::StudySpec& study, const std::string& in, const std::string& out,
+void make_table(const StudyPart& study, const std::string& in, const std::string& out,
                 const std::vector<std::string>& metrics) {
-  std::vector<std::string> names;
-  std::vector<double> lower, upper;
-  for (const designs::Variable& v : study.variables) {
-    names.push_back(v.name);
-    lower.push_back(v.lower);
-    upper.push_back(v.upper);
-  }
-  const Oracle oracle =
-      fit_oracle(study.name, names, lower, upper, read_rows(in, study), metrics);
+  const Oracle oracle = fit_oracle(study.name, study.variables, study.lower, study.upper,
+                                   read_rows(in, study), metrics);
   print_fit(oracle);
   std::ofstream file(out);
   file << to_json(oracle).dump() << '\n';
   if (!file) throw std::runtime_error("cannot write " + out);
 }
 
-void print_designs(const designs::StudySpec& study, int n, std::uint64_t seed) {
+void print_designs(const StudyPart& study, int n, std::uint64_t seed) {
   ScrambledSobol points(static_cast<int>(study.variables.size()), seed);
   for (int k = 0; k < n; ++k) {
     const std::vector<double> u = points.next();
     Json design = Json::object();
     for (std::size_t j = 0; j < u.size(); ++j) {
-      const designs::Variable& v = study.variables[j];
-      design[v.name] = v.lower + (v.upper - v.lower) * to_six_digits(u[j]);
+      design[study.variables[j]] =
+          study.lower[j] + (study.upper[j] - study.lower[j]) * to_six_digits(u[j]);
     }
     std::cout << design.dump() << '\n';
   }
@@ -108,11 +103,11 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   try {
     if (arguments.size() == 4 && arguments[1] == "--designs") {
-      bench::search::print_designs(designs::load_study(arguments[0]), std::stoi(arguments[2]),
-                                   std::stoull(arguments[3]));
+      bench::search::print_designs(bench::search::read_study_part(arguments[0]),
+                                   std::stoi(arguments[2]), std::stoull(arguments[3]));
     } else if (arguments.size() >= 4) {
-      bench::search::make_table(designs::load_study(arguments[0]), arguments[1], arguments[2],
-                                {arguments.begin() + 3, arguments.end()});
+      bench::search::make_table(bench::search::read_study_part(arguments[0]), arguments[1],
+                                arguments[2], {arguments.begin() + 3, arguments.end()});
     } else {
       fmt::print(stderr,
                  "usage: bench_search_table STUDY.json IN.jsonl OUT.json METRIC...\n"
