@@ -9,7 +9,7 @@ include(CMakePackageConfigHelpers)
 
 set(parapet_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/parapet)
 set(parapet_components "")
-foreach(component solver designs acquisition optimizer surrogate reports study)
+foreach(component solver designs optimizer surrogate acquisition bayesian reports study)
   if(NOT TARGET parapet_${component})
     continue()
   endif()

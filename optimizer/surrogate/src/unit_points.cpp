@@ -18,7 +18,7 @@ double shifted(double coordinate, std::uint32_t shift) {
 }  // namespace
 
 double uniform(std::mt19937_64& generator) {
-  return (static_cast<double>(generator() >> 11) + 0.5) / 9007199254740992.0;
+  return (static_cast<double>(generator() >> 12) + 0.5) / 4503599627370496.0;
 }
 
 Eigen::MatrixXd unit_points(int n, int dimension, std::uint64_t seed) {

@@ -7,7 +7,7 @@
 
 namespace parapet::surrogate {
 
-/// Uniform in (0, 1): the upper 53 bits of a draw, and a half.
+/// Uniform in (0, 1): the upper 52 bits of a draw, and a half (53 and a half could round to 1).
 double uniform(std::mt19937_64& generator);
 
 /// n points of the unit cube [n, dimension], coordinates in (0, 1). The first 21 coordinates are

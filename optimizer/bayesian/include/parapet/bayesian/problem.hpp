@@ -15,9 +15,9 @@ namespace parapet::bayesian {
 struct Metric {
   std::string name;
   surrogate::TransformKind transform = surrogate::TransformKind::automatic;
-  std::vector<double> known_noise;  ///< [n_levels] s.d. of an observation; empty: estimated
+  std::vector<double> known_noise = {};  ///< [n_levels] s.d. of an observation; empty: estimated
   /// A metric that needs no evaluation (a formula of the design): known exactly at every design.
-  std::function<double(const Point& x)> exact;
+  std::function<double(const Point& x)> exact = {};
   /// Values beyond these are impossible (a share is at most 1).
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ struct Problem {
 /// overflowed, so nothing landed) or is exact.
 struct Observation {
   bool ok = false;
-  std::vector<std::optional<double>> values;
+  std::vector<std::optional<double>> values = {};
   double seconds = 0.0;  ///< what it cost
 };
 

@@ -13,10 +13,10 @@
 namespace parapet::bayesian {
 
 struct SearchOptions {
-  int max_evaluations = 60;   ///< at any level, those told from the start included
-  double max_seconds = 0.0;   ///< sum of what evaluations cost; 0: no limit
-  int initial_designs = 0;    ///< 0: chosen from the number of variables
-  std::vector<Point> starts;  ///< asked first, at the finest level
+  int max_evaluations = 60;        ///< at any level, those told from the start included
+  double max_seconds = 0.0;        ///< sum of what evaluations cost; 0: no limit
+  int initial_designs = 0;         ///< 0: chosen from the number of variables
+  std::vector<Point> starts = {};  ///< asked first, at the finest level
   std::uint64_t seed = 1;
   int samples = 64;  ///< posterior draws of the front
   double feasibility_tolerance = 1e-9;
@@ -28,11 +28,11 @@ struct SearchOptions {
 
 /// Something to evaluate.
 struct Suggestion {
-  int id = 0;  ///< 0, 1, 2, ...: what tell() is given
-  Point x;     ///< canonical
+  int id = 0;    ///< 0, 1, 2, ...: what tell() is given
+  Point x = {};  ///< canonical
   int level = 0;
-  std::string stage;      ///< "start", "initial", "search" or "confirm"
-  double log_gain = 0.0;  ///< log of the expected gain (stage search)
+  std::string stage = {};  ///< "start", "initial", "search" or "confirm"
+  double log_gain = 0.0;   ///< log of the expected gain (stage search)
 };
 
 enum class StopReason {
@@ -49,13 +49,15 @@ std::string to_string(StopReason reason);
 /// A design with what is known of it.
 struct Assessed {
   int id = 0;
-  Point x;
+  Point x = {};
   int level = 0;
   bool ok = false;
-  std::vector<std::optional<double>> values;  ///< [n_metrics] observed (exact ones filled in)
-  bool feasible = false;                      ///< as observed: ok, allowed, every limit met
-  std::vector<double> estimate;  ///< [n_metrics] median of the surrogate at level 0; NaN: no model
-  std::vector<double> lower, upper;  ///< [n_metrics] its 95 % interval, of the noise-free value
+  std::vector<std::optional<double>> values = {};  ///< [n_metrics] observed (exact ones filled in)
+  bool feasible = false;                           ///< as observed: ok, allowed, every limit met
+  std::vector<double> estimate =
+      {};  ///< [n_metrics] median of the surrogate at level 0; NaN: no model
+  std::vector<double> lower = {},
+                      upper = {};  ///< [n_metrics] its 95 % interval, of the noise-free value
   double probability_feasible = 0.0;
 };
 

@@ -15,15 +15,15 @@ enum class VariableKind { continuous, integer, choice };
 
 /// A variable exists (is active) only when another one, a choice, has one of these options.
 struct Condition {
-  std::size_t choice = 0;    ///< index of an earlier variable, itself a choice
-  std::vector<int> options;  ///< option numbers
+  std::size_t choice = 0;         ///< index of an earlier variable, itself a choice
+  std::vector<int> options = {};  ///< option numbers
 };
 
 struct Variable {
   std::string name;
   VariableKind kind = VariableKind::continuous;
   double lower = 0.0, upper = 1.0;  ///< of a choice: 0 and the number of options - 1
-  std::optional<Condition> active_when;
+  std::optional<Condition> active_when = {};
 };
 
 /// A design in the variables' own units, [n]. Options are numbered from 0. An inactive variable has

@@ -1,0 +1,108 @@
+#include "parapet/surrogate/success_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "covariance.hpp"
+#include "normal.hpp"
+#include "probit_laplace.hpp"
+#include "unit_points.hpp"
+
+namespace parapet::surrogate {
+namespace {
+
+constexpr int n_starts = 3;
+constexpr double tolerance_nats = 1e-3;
+
+void check(const Layout& layout, const Eigen::MatrixXd& inputs,
+           const std::vector<bool>& succeeded) {
+  const auto require = [](bool condition, const std::string& message) {
+    if (!condition) throw std::invalid_argument("success model: " + message);
+  };
+  require(static_cast<std::size_t>(inputs.rows()) == succeeded.size(),
+          std::to_string(inputs.rows()) + " rows of inputs for " +
+              std::to_string(succeeded.size()) + " outcomes");
+  require(static_cast<std::size_t>(inputs.cols()) == layout.group.size(),
+          std::to_string(inputs.cols()) + " columns of inputs for a layout of " +
+              std::to_string(layout.group.size()));
+  require(layout.group.empty() || *std::min_element(layout.group.begin(), layout.group.end()) >= 0,
+          "a group of the layout is negative");
+  require(inputs.allFinite(), "an input is not finite");
+}
+
+/// The parameters that maximise the evidence: from the priors' centre and from points drawn from
+/// the priors.
+Eigen::VectorXd likeliest(const ProbitEvidence& evidence, Eigen::Index n, std::uint64_t seed) {
+  const SmoothFunction function = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+    const double value = -evidence.evaluate(x, gradient);
+    gradient = -gradient;
+    return value;
+  };
+  const Eigen::MatrixXd u = unit_points(n_starts, static_cast<int>(evidence.size()), seed);
+  const int calls = n <= 150 ? 30 : 12;
+  Descent best;
+  best.x = evidence.centre();
+  best.value = std::numeric_limits<double>::infinity();
+  for (int s = 0; s < n_starts; ++s) {
+    Eigen::VectorXd start = evidence.centre();
+    for (Eigen::Index i = 0; s > 0 && i < start.size(); ++i) {
+      start(i) += evidence.deviation()(i) * normal_quantile(u(s, i));
+    }
+    Descent at = begin_descent(function, start, evidence.bounds());
+    continue_descent(function, evidence.bounds(), calls, tolerance_nats, at);
+    if (at.value < best.value) best = at;
+  }
+  return best.x;
+}
+
+}  // namespace
+
+SuccessModel SuccessModel::fit(const Layout& layout, const Eigen::MatrixXd& inputs,
+                               const std::vector<bool>& succeeded, std::uint64_t seed) {
+  check(layout, inputs, succeeded);
+  SuccessModel model;
+  model.layout_ = layout;
+  model.inputs_ = inputs;
+  model.any_failure_ = std::find(succeeded.begin(), succeeded.end(), false) != succeeded.end();
+  if (!model.any_failure_) return model;
+  Eigen::VectorXd signs(inputs.rows());
+  for (Eigen::Index i = 0; i < signs.size(); ++i) {
+    signs(i) = succeeded[static_cast<std::size_t>(i)] ? 1.0 : -1.0;
+  }
+  const ProbitEvidence evidence(layout, inputs, signs);
+  const Eigen::VectorXd x = likeliest(evidence, signs.size(), seed);
+  model.length_scales_ = x.head(x.size() - 1).array().exp();
+  model.amplitude_ = std::exp(x(x.size() - 1));
+  model.mean_ = evidence.mean(model.amplitude_);
+  LaplaceMode mode = evidence.mode(x);
+  model.gradient_ = std::move(mode.gradient);
+  model.root_weights_ = std::move(mode.root_weights);
+  model.factor_ = std::move(mode.factor);
+  return model;
+}
+
+Eigen::VectorXd SuccessModel::log_probability(const Eigen::MatrixXd& inputs) const {
+  if (static_cast<std::size_t>(inputs.cols()) != layout_.group.size()) {
+    throw std::invalid_argument("success model: " + std::to_string(inputs.cols()) +
+                                " columns asked of a model of " +
+                                std::to_string(layout_.group.size()));
+  }
+  if (!any_failure_) return Eigen::VectorXd::Zero(inputs.rows());
+  const double variance = amplitude_ * amplitude_;
+  Eigen::MatrixXd k = variance * matern(layout_.group, length_scales_, inputs_, inputs);
+  const Eigen::VectorXd mean = (k.transpose() * gradient_).array() + mean_;
+  k = root_weights_.asDiagonal() * k;
+  factor_.triangularView<Eigen::Lower>().solveInPlace(k);
+  Eigen::VectorXd result(inputs.rows());
+  for (Eigen::Index j = 0; j < result.size(); ++j) {
+    // Rasmussen and Williams, 2006, equation (3.82).
+    const double spread = std::max(variance - k.col(j).squaredNorm(), 0.0);
+    result(j) = std::min(log_normal_cdf(mean(j) / std::sqrt(1.0 + spread)), 0.0);
+  }
+  return result;
+}
+
+}  // namespace parapet::surrogate
