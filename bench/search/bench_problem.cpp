@@ -181,4 +181,9 @@ std::vector<std::string> problem_names(const std::filesystem::path& list) {
   return names;
 }
 
+std::vector<std::string> level_names(const std::filesystem::path& list, const std::string& name) {
+  const Json problems = read_list(list);
+  return find_problem(problems, name).at("levels").get<std::vector<std::string>>();
+}
+
 }  // namespace parapet::bench::search

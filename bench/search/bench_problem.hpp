@@ -81,4 +81,7 @@ BenchProblem load_problem(const std::filesystem::path& list, const std::filesyst
                           const std::string& name);
 std::vector<std::string> problem_names(const std::filesystem::path& list);
 
+// The studies of a problem's levels of fidelity, the finest first.
+std::vector<std::string> level_names(const std::filesystem::path& list, const std::string& name);
+
 }  // namespace parapet::bench::search

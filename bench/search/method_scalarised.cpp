@@ -100,6 +100,17 @@ optimizer::Problem scalar_problem(Meter& meter, const Eigen::VectorXd& weights,
   return scalar;
 }
 
+// Algorithms that start from a population refuse a smaller budget; the meter still ends the run.
+void raise_to_least(optimizer::Options& options, const BenchProblem& problem) {
+  const auto refused = [&] {
+    return !optimizer::option_errors(options, static_cast<int>(problem.dimension()),
+                                     static_cast<int>(problem.limits.size()))
+                .empty();
+  };
+  constexpr int enough = 1000;  // any other error is optimize()'s to report
+  while (options.max_evaluations < enough && refused()) ++options.max_evaluations;
+}
+
 }  // namespace
 
 Run scalarised_search(const BenchProblem& problem, const std::string& algorithm, std::uint64_t seed,
@@ -123,7 +134,8 @@ Run scalarised_search(const BenchProblem& problem, const std::string& algorithm,
       // an equal share of what is left; known designs are counted by optimize(), not by the meter,
       // so later rounds are given more
       options.max_evaluations =
-          std::max(4, (round + 1) * meter.left() / static_cast<int>(weights.size() - k));
+          std::max(1, (round + 1) * meter.left() / static_cast<int>(weights.size() - k));
+      raise_to_least(options, problem);
       options.seed = seed * 1000 + static_cast<std::uint64_t>(round);
       options.cancelled = [&meter] { return meter.spent(); };
       optimizer::optimize(scalar_problem(meter, weights[turn], ranges), options);

@@ -52,8 +52,8 @@ MetricSurface fit_metric(const std::string& metric, const Eigen::MatrixXd& desig
     const RadialFit presence = fit_radial(designs, present);
     surface.presence = presence.surface;
     for (Eigen::Index i = 0; i < designs.rows(); ++i) {
-      const double at = presence.surface.at(designs, designs.row(i).transpose());
-      if (at * present[i] <= 0.0) surface.presence_errors += 1.0;
+      const double predicted = present[i] - presence.leave_one_out[i];
+      if (predicted * present[i] <= 0.0) surface.presence_errors += 1.0;
     }
     surface.presence_errors /= static_cast<double>(designs.rows());
   }

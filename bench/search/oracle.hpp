@@ -28,7 +28,7 @@ struct MetricSurface {
   double least, greatest;  // physical bounds: values are clipped to them
   // Above 0 where the metric has a value; none if it has one everywhere.
   std::optional<RadialSurface> presence;
-  double presence_errors = 0.0;  // share of the designs that it puts on the wrong side
+  double presence_errors = 0.0;  // share of the designs that leave-one-out puts on the wrong side
 };
 
 struct Oracle {

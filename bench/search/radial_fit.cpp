@@ -64,12 +64,15 @@ Spectrum diagonalise(const Eigen::MatrixXd& designs, const Eigen::VectorXd& valu
 
 // Residual of value i predicted from all others: w_i / (A^-1)_ii (Rippa, Adv. Comput. Math. 11
 // (1999) 193-210), which holds with the tail as well.
-double leave_one_out(const Spectrum& s, double ridge) {
+Eigen::VectorXd leave_one_out(const Spectrum& s, double ridge) {
   const Eigen::VectorXd inverse = (s.eigenvalues.array() + ridge).inverse();
   const Eigen::VectorXd weights = s.vectors * s.projected.cwiseProduct(inverse);
   const Eigen::VectorXd diagonal = s.squares * inverse;
-  return std::sqrt(weights.cwiseQuotient(diagonal).squaredNorm() /
-                   static_cast<double>(weights.size()));
+  return weights.cwiseQuotient(diagonal);
+}
+
+double root_mean_square(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
 double best_ridge(const Spectrum& s) {
@@ -78,7 +81,7 @@ double best_ridge(const Spectrum& s) {
   // twelve decades in steps of a third of one: the error is flat around its minimum
   for (int step = 0; step <= 36; ++step) {
     const double ridge = greatest * std::pow(10.0, -step / 3.0);
-    const double error = leave_one_out(s, ridge);
+    const double error = root_mean_square(leave_one_out(s, ridge));
     if (error < least_error) {
       least_error = error;
       best = ridge;
@@ -93,7 +96,7 @@ Eigen::VectorXd choose_scale(const Eigen::MatrixXd& designs, const Eigen::Vector
   const Eigen::VectorXd theirs = values.head(n);
   const auto error_of = [&](const Eigen::VectorXd& scale) {
     const Spectrum s = diagonalise(some, theirs, scale);
-    return leave_one_out(s, best_ridge(s));
+    return root_mean_square(leave_one_out(s, best_ridge(s)));
   };
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(designs.cols());
   double least = error_of(scale);
@@ -145,7 +148,8 @@ RadialFit fit_radial(const Eigen::MatrixXd& designs, const Eigen::VectorXd& valu
   const Spectrum s = diagonalise(designs, values, scale);
   RadialFit fit;
   fit.ridge = best_ridge(s);
-  fit.leave_one_out_rms = leave_one_out(s, fit.ridge);
+  fit.leave_one_out = leave_one_out(s, fit.ridge);
+  fit.leave_one_out_rms = root_mean_square(fit.leave_one_out);
   const Eigen::VectorXd inverse = (s.eigenvalues.array() + fit.ridge).inverse();
   fit.surface.scale = scale;
   fit.surface.weights = s.vectors * s.projected.cwiseProduct(inverse);

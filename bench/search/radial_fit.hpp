@@ -20,7 +20,8 @@ struct RadialSurface {
 struct RadialFit {
   RadialSurface surface;
   double ridge = 0.0;
-  double leave_one_out_rms = 0.0;  // each value predicted from all others, closed form
+  Eigen::VectorXd leave_one_out;   // [n] each value less what all others predict, closed form
+  double leave_one_out_rms = 0.0;  // its root mean square
   double q_squared = 0.0;          // 1 - its mean square over the variance of the values
   // Standard deviation of what does not repeat from one design to its neighbour:
   // sqrt(sum of squared residuals / trace(I - H)), H being the smoother's matrix (Wahba,
