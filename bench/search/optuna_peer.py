@@ -4,8 +4,10 @@
 usage: optuna_peer.py SAMPLER SEEDS BUDGET OUT.json ORACLE_COMMAND...
 
 SAMPLER is tpe or nsga2, SEEDS their number, BUDGET the evaluations of a run (0: the problem's).
-ORACLE_COMMAND is bench_search_oracle with its arguments; it evaluates one design a line. Trials that
-the cheap constraints refuse are told as failed and do not count, as for every other method.
+ORACLE_COMMAND is bench_search_oracle with its arguments; it evaluates one design a line. Designs that
+the cheap constraints refuse are not evaluated and do not count, as for every other method; Optuna is
+told their violation, and the worst objectives seen so far, which it does not use where a constraint
+is violated.
 """
 
 import json
@@ -39,17 +41,16 @@ class Oracle:
 
 def violations(trial):
     """What Optuna calls constraints: above 0 is violated."""
-    return trial.user_attrs.get("violations", [0.0])
+    return trial.user_attrs["violations"]
 
 
-def make_sampler(name, seed, limits):
-    constraints = violations if limits else None
+def make_sampler(name, seed):
     if name == "tpe":
         return optuna.samplers.TPESampler(
-            seed=seed, multivariate=True, constraints_func=constraints
+            seed=seed, multivariate=True, constraints_func=violations
         )
     return optuna.samplers.NSGAIISampler(
-        seed=seed, population_size=20, constraints_func=constraints
+        seed=seed, population_size=20, constraints_func=violations
     )
 
 
@@ -57,9 +58,10 @@ def run(name, seed, budget, oracle):
     problem = oracle.problem
     study = optuna.create_study(
         directions=["minimize"] * problem["objectives"],
-        sampler=make_sampler(name, seed, problem["limits"]),
+        sampler=make_sampler(name, seed),
     )
     steps, own = [], 0.0
+    worst = [0.0] * problem["objectives"]
     bounds = list(zip(problem["variables"], problem["lower"], problem["upper"]))
     for _ in range(50 * budget):
         if len(steps) == budget:
@@ -72,11 +74,14 @@ def run(name, seed, budget, oracle):
         start = time.perf_counter()
         if answer["allowed"]:
             steps.append({"x": x, "level": 0, "seconds": problem["seconds"]})
-        if answer.get("ok"):
-            trial.set_user_attr("violations", answer["violations"])
-            study.tell(trial, answer["objectives"])
-        else:
+        if answer["allowed"] and not answer["ok"]:
             study.tell(trial, state=optuna.trial.TrialState.FAIL)
+        else:
+            limits = answer.get("violations", [0.0] * problem["limits"])
+            trial.set_user_attr("violations", answer["cheap"] + limits)
+            objectives = answer.get("objectives", worst)
+            worst = [max(pair) for pair in zip(worst, objectives)]
+            study.tell(trial, objectives)
         own += time.perf_counter() - start
     return {"seed": seed, "own_seconds": own, "steps": steps}
 

@@ -4,9 +4,10 @@
 //   {"variables": [...], "lower": [...], "upper": [...], "objectives": n, "limits": n,
 //    "seconds": nominal cost of an evaluation, "budget": evaluations}
 // then answers every line {"x": [...]} with one line:
-//   {"allowed": false}  the cheap constraints refuse it: nothing was evaluated
-//   {"allowed": true, "ok": false}
-//   {"allowed": true, "ok": true, "objectives": [...] minimised, "violations": [...] <= 0 is met}
+//   {"cheap": [...], "allowed": false}  the cheap constraints refuse it: nothing was evaluated
+//   {"cheap": [...], "allowed": true, "ok": false}
+//   {"cheap": [...], "allowed": true, "ok": true, "objectives": [...], "violations": [...]}
+// Objectives are minimised; of cheap constraints and violations, <= 0 is met.
 #include <fmt/format.h>
 
 #include <exception>
@@ -21,9 +22,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json answer(const BenchProblem& problem, const Design& x) {
-  if (!problem.allows(x)) return {{"allowed", false}};
+  Json json = {{"cheap", Json::array()}, {"allowed", problem.allows(x)}};
+  if (problem.cheap_constraints) json["cheap"] = problem.cheap_constraints(x);
+  if (!json["allowed"]) return json;
   const Verdict verdict = judge(problem, problem.evaluate(x, 0));
-  Json json = {{"allowed", true}, {"ok", verdict.ok}};
+  json["ok"] = verdict.ok;
   if (!verdict.ok) return json;
   json["objectives"] = std::vector<double>(verdict.objectives.begin(), verdict.objectives.end());
   json["violations"] = verdict.violations;
