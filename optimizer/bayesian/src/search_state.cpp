@@ -192,6 +192,17 @@ std::optional<Suggestion> Search::State::ask() {
   return suggest_gain();
 }
 
+/// Once may be a surrogate's mistake that the next answer mends; three times running counts.
+bool Search::State::gain_is_small(double expected, const Gain& gain) {
+  constexpr int times_that_count = 3;
+  if (options.least_gain <= 0.0 || !gain.any_feasible()) return false;
+  // The surrogate sees through noise to about a tenth of it; below that nothing can be learnt.
+  const double unseen = 0.1 * gain.noise_volume();
+  const double least = std::max(options.least_gain * gain.mean_hypervolume(), unseen);
+  small_gains = expected < least ? small_gains + 1 : 0;
+  return small_gains >= times_that_count;
+}
+
 std::optional<Suggestion> Search::State::suggest_gain() {
   std::vector<Suggestion> waiting;
   for (const auto& [id, suggestion] : pending) waiting.push_back(suggestion);
@@ -222,9 +233,7 @@ std::optional<Suggestion> Search::State::suggest_gain() {
   auto best = maximize_gain(search, problem.space, candidates);
   if (!best) return nothing_left();
 
-  const double gained = std::exp(best->log_gain);
-  const double least = std::max(options.least_gain * gain.mean_hypervolume(), gain.noise_volume());
-  if (options.least_gain > 0.0 && gained < least && gain.any_feasible()) {
+  if (gain_is_small(std::exp(best->log_gain), gain)) {
     if (pending.empty()) stop = StopReason::small_gain;
     return std::nullopt;
   }

@@ -30,6 +30,7 @@ struct Search::State {
   int next_id = 0;
   Models models;
   StopReason stop = StopReason::none;
+  int small_gains = 0;    // expected gains below the least, running
   double spent = 0.0;     // [s]
   double own_time = 0.0;  // [s]
   std::vector<HistoryEntry> history;
@@ -42,6 +43,7 @@ struct Search::State {
   std::optional<Suggestion> ask();
   bool out_of_budget();
   bool stagnates() const;
+  bool gain_is_small(double expected, const Gain& gain);
   int remaining() const;
   std::vector<double> level_seconds() const;  // [n_levels], measured means where there are any
 
