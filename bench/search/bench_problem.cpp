@@ -143,12 +143,16 @@ BenchProblem load_problem(const std::filesystem::path& list, const std::filesyst
   const Json& json = find_problem(problems, name);
   BenchProblem problem;
   problem.name = name;
+  problem.title = json.at("title");
   const auto levels = json.at("levels").get<std::vector<std::string>>();
   const StudyPart study = read_study_part(list.parent_path() / (levels.front() + ".json"));
   problem.variables = study.variables;
   problem.lower = study.lower;
   problem.upper = study.upper;
-  problem.cheap_constraints = study.cheap_constraints;
+  problem.cheap_constraints = cheap_constraints(
+      problem.variables, json.contains("expression_limits")
+                             ? read_expression_limits(json.at("expression_limits"))
+                             : study.limits);
   const auto oracles = std::make_shared<std::vector<Oracle>>();
   problem.level_seconds.clear();
   for (const std::string& level : levels) {

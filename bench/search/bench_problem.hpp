@@ -43,6 +43,7 @@ struct Answer {
 
 struct BenchProblem {
   std::string name;
+  std::string title;  // for people
   std::vector<std::string> variables;
   std::vector<double> lower, upper;  // [d]
   std::vector<BenchMetric> metrics;
@@ -75,7 +76,8 @@ struct Verdict {
 Verdict judge(const BenchProblem& problem, const Answer& answer);
 
 // Reads the list of problems and builds one of them: its studies stand beside the list, its tables
-// in `tables` (NAME.json of every level).
+// in `tables` (NAME.json of every level). Limits of expressions are those of the finest study
+// unless the list has its own.
 // @throws std::invalid_argument for an unknown name or a file that does not fit.
 BenchProblem load_problem(const std::filesystem::path& list, const std::filesystem::path& tables,
                           const std::string& name);

@@ -43,7 +43,7 @@ reports::PlotSeries over_seconds(const MethodScore& score, double limit) {
 
 reports::LinePlot plot_of(const Comparison& comparison, const std::string& x_label, double limit) {
   reports::LinePlot plot;
-  plot.title = comparison.problem.name;
+  plot.title = comparison.problem.title;
   plot.x_label = x_label;
   plot.y_label = "share of the hypervolume, median";
   plot.x_limits = {0.0, limit};

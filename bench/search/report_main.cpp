@@ -6,6 +6,7 @@
 
 #include <exception>
 #include <fstream>
+#include <set>
 
 #include "oracle.hpp"
 #include "parapet/reports/atomic_file.hpp"
@@ -51,7 +52,7 @@ std::string problem_section(const Comparison& comparison, const std::vector<std:
   std::string text = fmt::format(
       "## {}\n\n{}\nEvaluations (median) to a share of the best "
       "hypervolume, and the share after some evaluations:\n\n{}",
-      comparison.problem.name, introduction(comparison), evaluations_table(comparison));
+      comparison.problem.title, introduction(comparison), evaluations_table(comparison));
   if (const std::string levels = levels_table(comparison); !levels.empty()) {
     text += fmt::format("\nLevels of fidelity, {:.2g} s and {:.2g} s a simulation:\n\n{}",
                         comparison.problem.level_seconds[0], comparison.problem.level_seconds[1],
@@ -68,8 +69,10 @@ std::string tables_section(const std::filesystem::path& tables,
                            const std::vector<std::vector<std::string>>& levels) {
   std::vector<std::vector<std::string>> rows = {
       {"table", "simulations", "metric", "leave-one-out error", "Q2", "noise"}};
+  std::set<std::string> seen;  // problems share tables
   for (std::size_t p = 0; p < problems.size(); ++p) {
     for (const std::string& level : levels[p]) {
+      if (!seen.insert(level).second) continue;
       const Oracle oracle = read_oracle(tables / (level + ".json"));
       for (const auto& [metric, m] : oracle.metrics) {
         rows.push_back({level, fmt::format("{}", oracle.designs.rows()), "`" + metric + "`",

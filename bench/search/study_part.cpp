@@ -12,15 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct ExpressionLimit {
-  std::string expression;
-  std::optional<double> lower, upper;
-
-  double scale() const {  // as of a study: |limit| or 1
-    const double limit = upper ? *upper : lower.value_or(0.0);
-    return limit == 0.0 ? 1.0 : std::abs(limit);
-  }
-};
+double scale_of(const ExpressionLimit& limit) {
+  const double value = limit.upper ? *limit.upper : limit.lower.value_or(0.0);
+  return value == 0.0 ? 1.0 : std::abs(value);
+}
 
 std::optional<double> number(const Json& json, const char* key) {
   const auto found = json.find(key);
@@ -28,16 +23,32 @@ std::optional<double> number(const Json& json, const char* key) {
   return found->get<double>();
 }
 
-std::vector<ExpressionLimit> expression_limits(const Json& study) {
+}  // namespace
+
+std::vector<ExpressionLimit> read_expression_limits(const Json& constraints) {
   std::vector<ExpressionLimit> limits;
-  for (const Json& c : study.value("constraints", Json::array())) {
+  for (const Json& c : constraints) {
     if (!c.contains("expression")) continue;
     limits.push_back({c.at("expression"), number(c, "lower"), number(c, "upper")});
   }
   return limits;
 }
 
-}  // namespace
+std::function<std::vector<double>(const std::vector<double>& x)> cheap_constraints(
+    const std::vector<std::string>& variables, const std::vector<ExpressionLimit>& limits) {
+  if (limits.empty()) return nullptr;
+  return [limits, variables](const std::vector<double>& x) {
+    designs::Design design;
+    for (std::size_t j = 0; j < x.size(); ++j) design[variables[j]] = x[j];
+    std::vector<double> violations;
+    for (const ExpressionLimit& limit : limits) {
+      const double value = designs::evaluate_expression(limit.expression, design);
+      if (limit.upper) violations.push_back((value - *limit.upper) / scale_of(limit));
+      if (limit.lower) violations.push_back((*limit.lower - value) / scale_of(limit));
+    }
+    return violations;
+  };
+}
 
 StudyPart read_study_part(const std::filesystem::path& file) {
   std::ifstream in(file);
@@ -53,19 +64,7 @@ StudyPart read_study_part(const std::filesystem::path& file) {
     part.lower.push_back(variable.at("lower"));
     part.upper.push_back(variable.at("upper"));
   }
-  const std::vector<ExpressionLimit> limits = expression_limits(study);
-  if (limits.empty()) return part;
-  part.cheap_constraints = [limits, variables = part.variables](const std::vector<double>& x) {
-    designs::Design design;
-    for (std::size_t j = 0; j < x.size(); ++j) design[variables[j]] = x[j];
-    std::vector<double> violations;
-    for (const ExpressionLimit& limit : limits) {
-      const double value = designs::evaluate_expression(limit.expression, design);
-      if (limit.upper) violations.push_back((value - *limit.upper) / limit.scale());
-      if (limit.lower) violations.push_back((*limit.lower - value) / limit.scale());
-    }
-    return violations;
-  };
+  part.limits = read_expression_limits(study.value("constraints", Json::array()));
   return part;
 }
 

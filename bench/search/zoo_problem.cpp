@@ -39,7 +39,7 @@ Answer formula(const zoo::ZooProblem& source, const Design& x) {
 
 BenchProblem zoo_problem(const zoo::ZooProblem& source, const Trouble& trouble) {
   BenchProblem problem;
-  problem.name = source.name;
+  problem.name = problem.title = source.name;
   for (Eigen::Index j = 0; j < source.lower.size(); ++j) {
     problem.variables.push_back("x" + std::to_string(j + 1));
     problem.lower.push_back(source.lower[j]);
