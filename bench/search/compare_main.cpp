@@ -62,7 +62,7 @@ void write(const std::filesystem::path& file, const nlohmann::ordered_json& json
 
 void compare(const BenchProblem& problem, const std::filesystem::path& out, int seeds, bool quick) {
   nlohmann::ordered_json front = nlohmann::ordered_json::array();
-  for (const Eigen::VectorXd& y : brute_force_front(problem, quick ? 8000 : 200000)) {
+  for (const Eigen::VectorXd& y : brute_force_front(problem, quick ? 8000 : 100000)) {
     front.push_back(std::vector<double>(y.begin(), y.end()));
   }
   write(out / "front" / "front.json", front);

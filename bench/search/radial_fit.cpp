@@ -144,10 +144,10 @@ RadialFit fit_radial(const Eigen::MatrixXd& designs, const Eigen::VectorXd& valu
 }
 
 RadialFit fit_radial(const Eigen::MatrixXd& designs, const Eigen::VectorXd& values,
-                     const Eigen::VectorXd& scale) {
+                     const Eigen::VectorXd& scale, std::optional<double> ridge) {
   const Spectrum s = diagonalise(designs, values, scale);
   RadialFit fit;
-  fit.ridge = best_ridge(s);
+  fit.ridge = ridge ? *ridge : best_ridge(s);
   fit.leave_one_out = leave_one_out(s, fit.ridge);
   fit.leave_one_out_rms = root_mean_square(fit.leave_one_out);
   const Eigen::VectorXd inverse = (s.eigenvalues.array() + fit.ridge).inverse();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace parapet::bench::search {
 
@@ -35,8 +36,8 @@ struct RadialFit {
 // @throws std::invalid_argument for fewer.
 RadialFit fit_radial(const Eigen::MatrixXd& designs, const Eigen::VectorXd& values);
 
-// The same with given scales [d].
+// The same with given scales [d], and with a given ridge where there is one.
 RadialFit fit_radial(const Eigen::MatrixXd& designs, const Eigen::VectorXd& values,
-                     const Eigen::VectorXd& scale);
+                     const Eigen::VectorXd& scale, std::optional<double> ridge = std::nullopt);
 
 }  // namespace parapet::bench::search
