@@ -122,6 +122,7 @@ Oracle fit_oracle(const std::string& name, const std::vector<std::string>& varia
   oracle.designs.resize(n, static_cast<Eigen::Index>(variables.size()));
   for (Eigen::Index i = 0; i < n; ++i) {
     oracle.designs.row(i) = as_vector(good[static_cast<std::size_t>(i)]->u).transpose();
+    for (double& u : oracle.designs.row(i)) u = rounded(u, design_digits);
   }
   for (const std::string& metric : metrics) {
     std::vector<std::optional<double>> values;

@@ -52,12 +52,16 @@ struct Oracle {
   std::vector<double> to_unit(const std::vector<double>& x) const;
 };
 
-// Fits every metric named. @throws std::invalid_argument for a metric that too few rows have.
+inline constexpr int design_digits = 6, weight_digits = 9;  // of the numbers in a table's file
+double rounded(double value, int digits);                   // to so many significant digits
+
+// Fits every metric named. Designs are rounded first as they will be written: weights fitted to
+// others would give other values once read back. @throws std::invalid_argument for a metric that
+// too few rows have.
 Oracle fit_oracle(const std::string& name, const std::vector<std::string>& variables,
                   const std::vector<double>& lower, const std::vector<double>& upper,
                   const std::vector<TableRow>& rows, const std::vector<std::string>& metrics);
 
-// With seven digits, enough for surfaces whose noise is in the third.
 nlohmann::ordered_json to_json(const Oracle& oracle);
 Oracle oracle_from_json(const nlohmann::ordered_json& json);
 Oracle read_oracle(const std::filesystem::path& file);

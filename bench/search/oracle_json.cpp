@@ -12,10 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value, int digits) {
-  return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
-}
-
 Json numbers(const Eigen::VectorXd& values, int digits) {
   Json list = Json::array();
   for (const double value : values) list.push_back(rounded(value, digits));
@@ -30,8 +26,8 @@ Eigen::VectorXd vector_of(const Json& list) {
 
 Json surface_json(const RadialSurface& surface) {
   return {{"scale", numbers(surface.scale, 7)},
-          {"tail", numbers(surface.tail, 9)},
-          {"weights", numbers(surface.weights, 7)}};
+          {"tail", numbers(surface.tail, weight_digits)},
+          {"weights", numbers(surface.weights, weight_digits)}};
 }
 
 RadialSurface surface_of(const Json& json) {
@@ -71,6 +67,10 @@ MetricSurface metric_of(const Json& json) {
 
 }  // namespace
 
+double rounded(double value, int digits) {
+  return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
+}
+
 Json to_json(const Oracle& oracle) {
   Json json = {{"format", "parapet-search-table/1"},
                {"name", oracle.name},
@@ -83,7 +83,7 @@ Json to_json(const Oracle& oracle) {
   for (const auto& [name, metric] : oracle.metrics) json["metrics"][name] = metric_json(metric);
   json["designs"] = Json::array();
   for (Eigen::Index i = 0; i < oracle.designs.rows(); ++i) {
-    json["designs"].push_back(numbers(oracle.designs.row(i).transpose(), 6));
+    json["designs"].push_back(numbers(oracle.designs.row(i).transpose(), design_digits));
   }
   json["failed"] = oracle.failed;
   return json;

@@ -8,6 +8,8 @@
 namespace parapet::bench::search {
 namespace {
 
+using SearchRun = Run;  // inside a test, Run is GoogleTest's
+
 constexpr double never = std::numeric_limits<double>::infinity();
 
 // f = (x, 1 - x + y), both minimised: the front is y = 0, a straight line from (0, 1) to (1, 0).
@@ -55,7 +57,7 @@ TEST(Judge, LimitsAbsentValuesAndFailures) {
 // Two designs on the front: (1/2, 1/2) dominates 1/4, (1/4, 3/4) adds 1/4 * 1/4. The true values
 // count, a design known from a coarse simulation only does not, nor does one beyond the reference.
 TEST(Score, HypervolumeOfTrueValuesAtTheFinestLevel) {
-  const Run run{
+  const SearchRun run{
       1,
       {{{0.25, 0.0}, 1, 0.5}, {{0.5, 0.0}, 0, 2.0}, {{0.5, 0.9}, 0, 2.0}, {{0.25, 0.0}, 0, 2.0}},
       0.0};
@@ -117,7 +119,7 @@ TEST(Meter, KnownDesignsAreFreeAndTheBudgetHolds) {
 // outside the box, the same ones again for the same seed and others for another.
 class Methods : public testing::TestWithParam<const char*> {
  protected:
-  static Run run(std::uint64_t seed) {
+  static SearchRun run(std::uint64_t seed) {
     static const BenchProblem problem = line_problem();
     const std::string method = GetParam();
     if (method == "random") return random_search(problem, seed, 30);
@@ -128,7 +130,7 @@ class Methods : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(Methods, KeepToTheRules) {
-  const Run first = run(1), again = run(1), other = run(2);
+  const SearchRun first = run(1), again = run(1), other = run(2);
   const BenchProblem problem = line_problem();
   EXPECT_LE(first.steps.size(), 30u);
   EXPECT_GE(first.steps.size(), 12u);

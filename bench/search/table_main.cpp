@@ -21,17 +21,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double to_six_digits(double u) {
-  return std::strtod(fmt::format("{:.6g}", u).c_str(), nullptr);
-}
-
 TableRow read_row(const Json& json, const StudyPart& study) {
   TableRow row;
   row.ok = json.contains("ok") ? json.at("ok").get<bool>() : json.at("status") == "ok";
   for (std::size_t j = 0; j < study.variables.size(); ++j) {
     const double x = json.at("design").at(study.variables[j]);
-    // rounded as it will be written, so that the surface is fitted to what is read later
-    row.u.push_back(to_six_digits((x - study.lower[j]) / (study.upper[j] - study.lower[j])));
+    row.u.push_back((x - study.lower[j]) / (study.upper[j] - study.lower[j]));
   }
   if (json.at("metrics").is_object()) {
     for (const auto& [key, value] : json.at("metrics").items()) {
@@ -89,7 +84,7 @@ void print_designs(const StudyPart& study, int n, std::uint64_t seed) {
     Json design = Json::object();
     for (std::size_t j = 0; j < u.size(); ++j) {
       design[study.variables[j]] =
-          study.lower[j] + (study.upper[j] - study.lower[j]) * to_six_digits(u[j]);
+          study.lower[j] + (study.upper[j] - study.lower[j]) * rounded(u[j], design_digits);
     }
     std::cout << design.dump() << '\n';
   }

@@ -155,7 +155,8 @@ TEST(Oracle, NoiseIsTheMetricsOwnAndRepeats) {
   EXPECT_LT(std::abs(noisy - smooth), 0.06);  // six standard deviations
 }
 
-// Seven digits of the weights change a value by far less than the third digit that noise leaves.
+// Nine digits of weights whose sum cancels to a part in a thousand leave six of a value; noise
+// leaves three.
 TEST(Oracle, SurvivesTheFile) {
   const Oracle oracle = fitted();
   const Oracle copy = oracle_from_json(nlohmann::ordered_json::parse(to_json(oracle).dump()));
