@@ -1,5 +1,7 @@
 #include "zoo_problem.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -41,7 +43,7 @@ BenchProblem zoo_problem(const zoo::ZooProblem& source, const Trouble& trouble) 
   BenchProblem problem;
   problem.name = problem.title = source.name;
   for (Eigen::Index j = 0; j < source.lower.size(); ++j) {
-    problem.variables.push_back("x" + std::to_string(j + 1));
+    problem.variables.push_back(fmt::format("x{}", j + 1));
     problem.lower.push_back(source.lower[j]);
     problem.upper.push_back(source.upper[j]);
   }
@@ -49,11 +51,11 @@ BenchProblem zoo_problem(const zoo::ZooProblem& source, const Trouble& trouble) 
   const auto n_objectives = static_cast<std::size_t>(source.objectives(centre).size());
   const auto n_limits = static_cast<std::size_t>(source.constraints(centre).size());
   for (std::size_t j = 0; j < n_objectives; ++j) {
-    problem.metrics.push_back({"f" + std::to_string(j + 1), nullptr});
+    problem.metrics.push_back({fmt::format("f{}", j + 1), nullptr});
     problem.objectives.push_back({j, false, std::nullopt});
   }
   for (std::size_t k = 0; k < n_limits; ++k) {
-    problem.metrics.push_back({"g" + std::to_string(k + 1), nullptr});
+    problem.metrics.push_back({fmt::format("g{}", k + 1), nullptr});
     problem.limits.push_back(
         {n_objectives + k, -std::numeric_limits<double>::infinity(), 0.0, 1.0});
   }
@@ -66,7 +68,7 @@ BenchProblem zoo_problem(const zoo::ZooProblem& source, const Trouble& trouble) 
     Answer answer = formula(source, x);
     for (Eigen::Index j = 0; trouble.noise > 0.0 && j < span.size(); ++j) {
       *answer.values[static_cast<std::size_t>(j)] +=
-          trouble.noise * span[j] * hash_normal(u, "f" + std::to_string(j + 1));
+          trouble.noise * span[j] * hash_normal(u, fmt::format("f{}", j + 1));
     }
     return answer;
   };
