@@ -46,13 +46,19 @@ Yardstick make_yardstick(const BenchProblem& problem, std::vector<Eigen::VectorX
       values[j].push_back(verdict.objectives[static_cast<Eigen::Index>(j)]);
     }
   }
-  if (values.front().empty()) {
+  if (values.front().empty() || front.empty()) {
     throw std::invalid_argument(problem.name + ": none of 4096 designs is feasible");
   }
   Yardstick yardstick;
   yardstick.reference.resize(static_cast<Eigen::Index>(values.size()));
   for (std::size_t j = 0; j < values.size(); ++j) {
-    yardstick.reference[static_cast<Eigen::Index>(j)] = median(values[j]);
+    const auto column = static_cast<Eigen::Index>(j);
+    double best = never, worst = -never;
+    for (const Eigen::VectorXd& y : front) {
+      best = std::min(best, y[column]);
+      worst = std::max(worst, y[column]);
+    }
+    yardstick.reference[column] = std::max(median(values[j]), worst + 0.1 * (worst - best));
   }
   yardstick.front = std::move(front);
   yardstick.volume = acquisition::hypervolume(yardstick.front, yardstick.reference);

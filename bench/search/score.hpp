@@ -16,8 +16,11 @@ struct Yardstick {
   double volume = 0.0;                 // dominated by the front below the reference
 };
 
-// Reference point: of each objective, the median over 4096 Sobol' designs that are allowed and
-// feasible, so that half of what chance finds counts for nothing in that objective.
+// Reference point: of each objective the worse of two values. One is the worst on the front and a
+// tenth of the front's range beyond it, so that all of the front counts (the median alone leaves
+// most of it out where half of the designs are as good as can be). The other is the median over
+// 4096 Sobol' designs that are allowed and feasible, so that a front of a few designs is not
+// measured by itself.
 // @throws std::invalid_argument when none of them is feasible or the volume is 0.
 Yardstick make_yardstick(const BenchProblem& problem, std::vector<Eigen::VectorXd> front);
 

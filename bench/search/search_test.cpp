@@ -92,6 +92,20 @@ TEST(Score, QuantilesInterpolate) {
   EXPECT_EQ(quantile({1.0, never}, 0.0), 1.0);
 }
 
+// The front of the line reaches to 1 in both objectives, so the reference is 1.1; the median of
+// what is allowed is nearer in f_1 and f_2 alike. A front of one point leaves the medians.
+TEST(Score, ReferenceIsTheWorseOfFrontAndMedian) {
+  const BenchProblem problem = line_problem();
+  const Yardstick whole =
+      make_yardstick(problem, {Eigen::Vector2d(0.0, 1.0), Eigen::Vector2d(1.0, 0.0)});
+  EXPECT_NEAR(whole.reference[0], 1.1, 1e-12);
+  EXPECT_NEAR(whole.reference[1], 1.1, 1e-12);
+  const Yardstick point = make_yardstick(problem, {Eigen::Vector2d(0.1, 0.2)});
+  EXPECT_LT(point.reference[0], 0.5);  // x is below 1/2 more often than not where x + y < 3/2
+  EXPECT_GT(point.reference[0], 0.4);
+  EXPECT_NEAR(point.reference[1], 1.0, 0.02);  // 1 - x + y is symmetric about 1
+}
+
 // What runs find beyond the front counts, so that no share exceeds 1.
 TEST(Score, YardstickTakesInWhatRunsFound) {
   const BenchProblem problem = line_problem();
