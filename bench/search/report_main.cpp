@@ -149,7 +149,7 @@ void report(const std::filesystem::path& list, const std::filesystem::path& tabl
     text += overhead_section(json["overhead"]);
   }
   text.pop_back();  // one end of line is enough
-  reports::write_file_atomically(docs / "comparison.json", json.dump(1) + "\n");
+  reports::write_file_atomically(docs / "comparison.json", json.dump() + "\n");
   reports::write_file_atomically(docs / "results.md", text);
   fmt::print("{}", text);
 }

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+
+#include "oracle.hpp"
 
 namespace parapet::bench::search {
 namespace {
@@ -42,10 +43,10 @@ nlohmann::ordered_json to_json(const MethodScore& score) {
   // enough of the curve to draw it again
   const std::size_t stride = std::max<std::size_t>(1, score.median_share.size() / 100);
   for (std::size_t k = 0; k < score.median_share.size(); k += stride) {
-    json["curve"].push_back({{"evaluations", k + 1},
-                             {"lower_quartile", score.lower_share[k]},
-                             {"median", score.median_share[k]},
-                             {"upper_quartile", score.upper_share[k]}});
+    json["curve"]["evaluations"].push_back(k + 1);
+    json["curve"]["lower_quartile"].push_back(rounded(score.lower_share[k], 4));
+    json["curve"]["median"].push_back(rounded(score.median_share[k], 4));
+    json["curve"]["upper_quartile"].push_back(rounded(score.upper_share[k], 4));
   }
   return json;
 }
