@@ -41,28 +41,10 @@ std::pair<std::string, std::string> design_source(const std::string& argument) {
 
 designs::Design read_design(const designs::StudySpec& study, const std::string& argument) {
   const auto [text, source] = design_source(argument);
-  const designs::Json json = designs::parse_json(text, source);
-  const std::string allowed =
-      R"(an object of numbers by variable, for example {"deflector_angle_deg": 45})";
-  if (!json.is_object()) {
-    throw designs::InputError({{source, "", json.dump(), "is not an object", allowed}});
-  }
-  designs::Design design;
-  std::vector<designs::InputIssue> issues;
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_number()) {
-      design[name] = value.get<double>() + 0.0;  // -0 and 0 are one design
-    } else {
-      issues.push_back({source, "/" + name, value.dump(), "is not a number", allowed});
-    }
-  }
-  for (designs::InputIssue& issue : designs::check_design(study, design, source)) {
-    const std::string name = issue.pointer.substr(std::min<std::size_t>(1, issue.pointer.size()));
-    if (json.contains(name) && !json[name].is_number()) continue;  // said already
-    issues.push_back(std::move(issue));
-  }
-  if (!issues.empty()) throw designs::InputError(std::move(issues));
-  return design;
+  designs::DesignReading reading =
+      designs::read_design(study, designs::parse_json(text, source), source);
+  if (!reading.issues.empty()) throw designs::InputError(std::move(reading.issues));
+  return std::move(reading.design);
 }
 
 /// Access to a shared log: held only for a moment, so that several evaluations may run at once.
@@ -74,23 +56,30 @@ std::optional<EvaluationRecord> find_logged(const Session& session, const Evalua
   if (options.log_folder.empty()) return std::nullopt;
   const study::StudyFolder folder(options.log_folder, study, session.program, log_patience);
   for (const std::string& note : folder.notes()) session.log->warn("{}", note);
-  const EvaluationRecord* known = folder.log().find(design);
+  const EvaluationRecord* known = folder.log().find(design, study::finest_spacing(study));
   return known == nullptr ? std::nullopt : std::optional(*known);
 }
 
 /// Gives the record its id; the one already there when another process was faster.
 EvaluationRecord store(const Session& session, const EvaluateOptions& options,
-                       const designs::StudySpec& study, study::DesignRun run) {
-  run.record.id = reports::evaluation_id(1);
-  run.record.stage = "external";
-  if (options.log_folder.empty()) return run.record;
+                       const designs::StudySpec& study, const study::DesignRun& run) {
+  EvaluationRecord record = run.record();
+  record.id = reports::evaluation_id(1);
+  record.stage = "external";
+  if (options.log_folder.empty()) return record;
   study::StudyFolder folder(options.log_folder, study, session.program, log_patience);
-  if (const auto* known = folder.log().find(run.record.design)) return *known;
+  if (const auto* known = folder.log().find(record.design, record.spacing)) return *known;
   int number = static_cast<int>(folder.log().records().size()) + 1;
-  while (folder.log().has_id(reports::evaluation_id(number))) ++number;
-  run.record.id = reports::evaluation_id(number);
-  folder.store(run.record, run.report);
-  return run.record;
+  while (!folder.id_is_free(reports::evaluation_id(number), record.design, record.spacing)) {
+    ++number;
+  }
+  record.id = reports::evaluation_id(number);
+  const designs::Json provenance = study::study_provenance(study, session.program);
+  for (std::size_t event = 0; event < run.size(); ++event) {
+    folder.store_simulation(record.id, run, event, provenance);
+  }
+  folder.store(record, run.report(session.program));
+  return record;
 }
 
 int evaluate_command(const Session& session, const EvaluateOptions& options) {
@@ -104,13 +93,13 @@ int evaluate_command(const Session& session, const EvaluateOptions& options) {
       monitor.running(study.name, progress);
       return !interrupted();
     };
-    study::DesignRun run =
-        study::run_design(study, design, session.program, options.jobs, callbacks);
-    if (run.cancelled) {
+    const auto run = study::run_design(study, design, study::finest_spacing(study),
+                                       study::solver_simulator(), options.jobs, callbacks);
+    if (!run) {
       session.log->error("interrupted; nothing was logged");
       return exit_interrupted;
     }
-    record = store(session, options, study, std::move(run));
+    record = store(session, options, study, *run);
   }
   fmt::print("{}\n", reports::to_json(*record).dump());
   if (record->ok) return exit_done;
@@ -126,14 +115,15 @@ void add_evaluate(CLI::App& app, Session& session) {
   auto options = std::make_shared<EvaluateOptions>();
   verb->add_option("SPEC", options->spec, "Study file, or the name of a shipped one")->required();
   verb->add_option("--design", options->design,
-                   "The design: JSON, @FILE, or - for standard input; a value for every variable")
+                   "The design: JSON, @FILE, or - for standard input; a value for every active "
+                   "variable, an option's name for a choice")
       ->required()
       ->type_name("JSON");
   verb->add_option("--log", options->log_folder,
                    "Study folder whose log answers for designs it holds and takes new ones")
       ->type_name("DIR");
   add_spacing(*verb, *options);
-  add_jobs(*verb, *options, "Threads of the simulation");
+  add_jobs(*verb, *options, "Scenarios simulated side by side, then threads of each");
   verb->footer(
       R"(Prints one JSON object on standard output (the line that the log of a study has) and nothing else;
 messages go to standard error. A failed simulation is reported in the object and by exit code 1. A

@@ -4,6 +4,7 @@
 
 #include "common_options.hpp"
 #include "interrupt.hpp"
+#include "parapet/study/design_run.hpp"
 #include "parapet/study/study_run.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
@@ -17,47 +18,88 @@ struct OptimizeOptions : CommonOptions {
   std::string spec;
 };
 
+/// "front of 5 designs, hypervolume 0.31".
+std::string front_text(int designs, double hypervolume) {
+  return fmt::format("front of {} design{}, hypervolume {:.4g}", designs, designs == 1 ? "" : "s",
+                     hypervolume);
+}
+
 std::string outcome_text(const reports::EvaluationRecord& record) {
   if (!record.ok) return "failed: " + record.reason;
-  return objectives_text(record) + (record.feasible ? "" : ", not feasible");
+  const std::string violated = violated_text(record);
+  return objectives_text(record) + (violated.empty() ? "" : ", not feasible: " + violated);
 }
+
+/// "0007 (search, 5 mm)".
+std::string heading(const reports::EvaluationRecord& record) {
+  return fmt::format("{} ({}, {:g} mm)", record.id, record.stage, 1000.0 * record.spacing);
+}
+
+/// Shows on the monitor how far a study is.
+class Progress {
+ public:
+  Progress(const Session& session, const designs::StudySpec& study, std::string folder)
+      : session_(session),
+        several_objectives_(study.objectives.size() > 1),
+        finest_(study::finest_spacing(study)),
+        folder_(std::move(folder)),
+        monitor_(session, study.method.max_evaluations, "designs") {}
+
+  study::Hooks hooks() {
+    study::Hooks hooks;
+    hooks.cancelled = interrupted;
+    hooks.on_message = [this](const std::string& text) { session_.log->warn("{}", text); };
+    hooks.on_simulation = [this](const std::string& id, const solver::Progress& progress) {
+      monitor_.running(id, progress);
+    };
+    hooks.on_simulation_ended = [this](const std::string& id) { monitor_.simulation_ended(id); };
+    hooks.on_front = [this](int designs, double hypervolume) {
+      if (several_objectives_) monitor_.best(front_text(designs, hypervolume));
+    };
+    hooks.on_evaluated = [this](const reports::EvaluationRecord& record, bool from_log) {
+      evaluated(record, from_log);
+    };
+    return hooks;
+  }
+
+ private:
+  void evaluated(const reports::EvaluationRecord& record, bool from_log) {
+    monitor_.ended(record.id, from_log);
+    if (from_log && from_log_count_++ == 0) {
+      session_.log->info("resuming: designs in {} are not simulated again", folder_);
+    }
+    const bool counts = record.feasible && record.spacing == finest_ && record.objective_scalar;
+    if (!several_objectives_ && counts && (!best_ || *record.objective_scalar < *best_)) {
+      best_ = record.objective_scalar;
+      monitor_.best("best " + objectives_text(record) + " (" + record.id + ")");
+    }
+    if (!from_log) {
+      session_.log->info("{}: {}: {}", heading(record), design_text(record), outcome_text(record));
+    }
+  }
+
+  const Session& session_;
+  bool several_objectives_;
+  double finest_;
+  std::string folder_;
+  RunMonitor monitor_;
+  std::optional<double> best_;
+  int from_log_count_ = 0;
+};
 
 study::StudySummary run_with_progress(const Session& session, const OptimizeOptions& options,
                                       const designs::StudySpec& study,
                                       const std::filesystem::path& folder) {
-  RunMonitor monitor(session, study.method.max_evaluations, "designs");
-  std::optional<double> best;
-  int from_log_count = 0;
+  Progress progress(session, study, folder.string());
   study::StudyRunOptions run;
   run.folder = folder;
   run.jobs = options.jobs;
   run.program = session.program;
-  run.hooks.cancelled = interrupted;
-  run.hooks.on_message = [&](const std::string& sentence) { session.log->warn("{}", sentence); };
-  run.hooks.on_simulation = [&](const std::string& id, const solver::Progress& progress) {
-    monitor.running(id, progress);
-  };
-  run.hooks.on_evaluated = [&](const reports::EvaluationRecord& record, bool from_log) {
-    monitor.ended(record.id, from_log);
-    if (from_log && from_log_count++ == 0) {
-      session.log->info("resuming: designs in {} are not simulated again", folder.string());
-    }
-    if (record.feasible && (!best || *record.objective_scalar < *best)) {
-      best = record.objective_scalar;
-      monitor.best(objectives_text(record) + " (" + record.id + ")");
-    }
-    if (!from_log) {
-      session.log->info("{} {}: {}", record.id, design_text(record.design), outcome_text(record));
-    }
-  };
+  run.hooks = progress.hooks();
   return study::run_study(study, run);
 }
 
-void print_summary(const study::StudySummary& summary, const designs::StudySpec& study,
-                   const std::filesystem::path& folder) {
-  fmt::print("{}: {} ({}), {} designs evaluated ({} by this run in {}), {} refused unsimulated\n",
-             study.name, study::to_string(summary.state), summary.message, summary.evaluations,
-             summary.simulated, duration_text(summary.elapsed), summary.rejected);
+void print_best(const study::StudySummary& summary) {
   if (summary.best) {
     fmt::print("best feasible design\n{}", record_text(*summary.best));
   } else {
@@ -65,6 +107,28 @@ void print_summary(const study::StudySummary& summary, const designs::StudySpec&
   }
   if (summary.starting_best) {
     fmt::print("best of the starting designs\n{}", record_text(*summary.starting_best));
+  }
+}
+
+void print_front(const study::StudySummary& summary, const designs::StudySpec& study) {
+  if (summary.pareto.empty()) {
+    fmt::print("no design meets every constraint\n");
+    return;
+  }
+  fmt::print("{}: no design betters one of these in every objective\n{}",
+             front_text(static_cast<int>(summary.pareto.size()), summary.hypervolume),
+             front_table(study, summary.pareto));
+}
+
+void print_summary(const study::StudySummary& summary, const designs::StudySpec& study,
+                   const std::filesystem::path& folder) {
+  fmt::print("{}: {} ({}), {} designs evaluated ({} by this run in {}), {} refused unsimulated\n",
+             study.name, study::to_string(summary.state), summary.message, summary.evaluations,
+             summary.simulated, duration_text(summary.elapsed), summary.rejected);
+  if (study.objectives.size() > 1) {
+    print_front(summary, study);
+  } else {
+    print_best(summary);
   }
   fmt::print("results: {}\nadvice:  parapet recommend {}\n", folder.string(), folder.string());
 }
@@ -94,12 +158,18 @@ void add_optimize(CLI::App& app, Session& session) {
   verb->add_option("SPEC", options->spec, "Study file, or the name of a shipped one")->required();
   add_out(*verb, *options, "runs/NAME-optimize");
   add_spacing(*verb, *options);
-  add_jobs(*verb, *options, "Starting designs simulated side by side, then threads of each");
+  add_jobs(*verb, *options, "Simulations side by side");
   verb->footer(
-      R"(Writes study.json, evaluations.jsonl (one line per design), evaluations/ID.json and summary.json
-into DIR. The same command resumes a study that was interrupted: no design is simulated twice. It
-may then have a larger method/max_evaluations or max_time_s; with any other change it is another
-study and needs another folder.
+      R"(Writes study.json, evaluations.jsonl (one line per design), evaluations/ID.json, summary.json,
+pareto.json and, with the algorithm BAYESIAN, surrogates.json into DIR. The same command resumes a
+study that was interrupted: no design is simulated twice. It may then have a larger
+method/max_evaluations, max_time_s or max_cpu_time_s; with any other change it is another study and
+needs another folder.
+
+BAYESIAN and the designs of experiments keep all jobs busy, each simulation on one thread. Which
+designs BAYESIAN tries depends on the number of jobs, and with several on how fast each simulation
+is, unless the spec sets method/repeatable. NLopt's algorithms try one design at a time after the
+starting ones; its simulations then share the jobs as threads.
 
 Examples:
   parapet optimize designs/quickstart.json

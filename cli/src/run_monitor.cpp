@@ -43,6 +43,11 @@ void RunMonitor::ended(const std::string& id, bool skipped) {
   show();
 }
 
+void RunMonitor::simulation_ended(const std::string& id) {
+  const std::scoped_lock lock(mutex_);
+  running_.erase(id);
+}
+
 void RunMonitor::share(double done) {
   const std::scoped_lock lock(mutex_);
   share_ = done;
@@ -83,7 +88,7 @@ std::string RunMonitor::line() const {
     text += text.empty() ? "" : (shown == 1 ? "; " : ", ");
     text += fmt::format("{} at {:.2f} of {:.2f} s", id, progress.time, progress.stop_time);
   }
-  if (!best_.empty()) text += "; best " + best_;
+  if (!best_.empty()) text += "; " + best_;
   return text + "; " + remaining_time();
 }
 

@@ -29,10 +29,13 @@ class RunMonitor {
   /// A simulation has ended; `skipped` when its answer was there already.
   void ended(const std::string& id, bool skipped);
 
+  /// One of the simulations behind what is counted has ended.
+  void simulation_ended(const std::string& id);
+
   /// The share of the whole work that is done, where it is not a number of simulations.
   void share(double done);
 
-  /// The best so far, in words.
+  /// The best so far, in words, for example "best retention_efficiency 0.83 (0007)".
   void best(std::string text);
 
  private:

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parapet/study/scoring.hpp"
+
 namespace parapet::cli {
 
 std::string duration_text(double seconds) {
@@ -41,10 +43,67 @@ std::string metrics_text(const std::vector<solver::Metric>& metrics) {
   return text;
 }
 
+namespace {
+
+/// A variable's value; an option by its name.
+std::string value_text(const reports::EvaluationRecord& record, const std::string& name) {
+  const auto option = record.options.find(name);
+  if (option != record.options.end()) return option->second;
+  const auto value = record.design.find(name);
+  return value == record.design.end() ? "-" : fmt::format("{:.5g}", value->second);
+}
+
+}  // namespace
+
 std::string design_text(const designs::Design& design) {
   std::string text;
   for (const auto& [name, value] : design) {
     text += fmt::format("{}{} {:.5g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+std::string design_text(const reports::EvaluationRecord& record) {
+  std::string text;
+  for (const auto& [name, value] : record.design) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, value_text(record, name));
+  }
+  return text;
+}
+
+std::string violated_text(const reports::EvaluationRecord& record) {
+  std::string text;
+  for (const auto& constraint : record.constraints) {
+    if (constraint.satisfied) continue;
+    text += (text.empty() ? "" : ", ") + constraint.name;
+  }
+  return text;
+}
+
+std::string front_table(const designs::StudySpec& study,
+                        const std::vector<reports::EvaluationRecord>& records) {
+  std::vector<std::vector<std::string>> rows(1, {"design"});
+  for (const auto& variable : study.variables) rows.front().push_back(variable.name);
+  for (const auto& objective : study.objectives) {
+    rows.front().push_back(study::objective_name(objective));
+  }
+  for (const auto& record : records) {
+    rows.push_back({record.id});
+    for (const auto& variable : study.variables) {
+      rows.back().push_back(value_text(record, variable.name));
+    }
+    for (const auto& objective : record.objectives) {
+      rows.back().push_back(objective.value ? fmt::format("{:.5g}", *objective.value) : "-");
+    }
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      std::size_t width = 0;
+      for (const auto& other : rows) width = std::max(width, other[k].size());
+      text += fmt::format("  {:>{}}", row[k], width);
+    }
+    text += "\n";
   }
   return text;
 }
@@ -61,7 +120,7 @@ std::string objectives_text(const reports::EvaluationRecord& record) {
 }
 
 std::string record_text(const reports::EvaluationRecord& record) {
-  std::string text = fmt::format("  design {}: {}\n  {}\n", record.id, design_text(record.design),
+  std::string text = fmt::format("  design {}: {}\n  {}\n", record.id, design_text(record),
                                  objectives_text(record));
   for (const auto& constraint : record.constraints) {
     text +=

@@ -31,6 +31,9 @@ struct CaseAttempt {
 CaseAttempt try_case(SchemaNode schema, const Json& json, const std::string& file,
                      const std::string& prefix);
 
+/// Writes the defaults out. Precondition: schema and keys are sound.
+Json resolve_case(SchemaNode schema, const Json& json);
+
 /// Scene, numerics and options of a resolved case.
 solver::Scene read_scene(const Json& resolved);
 solver::Numerics read_numerics(const Json& resolved);

@@ -7,8 +7,19 @@
 namespace parapet::designs {
 namespace {
 
-/// Writes the defaults out. Two of a barrier's defaults hold only while the key that replaces them
-/// is not given.
+/// The solver's own checks, for what the checks here do not know. Its sentences name the field.
+void check_with_solver(const CaseSpec& spec, Findings& findings) {
+  for (const auto& sentences :
+       {solver::scene_errors(spec.scene), solver::numerics_errors(spec.numerics),
+        solver::run_errors(spec.run)}) {
+    for (const std::string& sentence : sentences) findings.add("", sentence, "");
+  }
+}
+
+}  // namespace
+
+// Two of a barrier's defaults hold only while the key that replaces them
+// is not given.
 Json resolve_case(SchemaNode schema, const Json& json) {
   Json resolved = with_defaults(schema, json);
   resolved.erase("$schema");
@@ -20,17 +31,6 @@ Json resolve_case(SchemaNode schema, const Json& json) {
   }
   return resolved;
 }
-
-/// The solver's own checks, for what the checks here do not know. Its sentences name the field.
-void check_with_solver(const CaseSpec& spec, Findings& findings) {
-  for (const auto& sentences :
-       {solver::scene_errors(spec.scene), solver::numerics_errors(spec.numerics),
-        solver::run_errors(spec.run)}) {
-    for (const std::string& sentence : sentences) findings.add("", sentence, "");
-  }
-}
-
-}  // namespace
 
 SchemaNode inner_case_schema() {
   const SchemaNode document = schema_document("case.schema.json");

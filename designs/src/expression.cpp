@@ -75,18 +75,18 @@ double evaluate_expression(const std::string& expression, const Design& design) 
   const auto fail = [&](const std::string& problem, const std::string& allowed) {
     return InputError({{"", "", "\"" + expression + "\"", problem, allowed}});
   };
-  std::vector<std::string> names;
-  std::string values;
-  for (const auto& [name, value] : design) {
-    names.push_back(name);
-    values += (values.empty() ? "" : ", ") + name + " = " + Json(value).dump();
-  }
   try {
     const double value = BoundExpression(expression, design).value();
     if (std::isfinite(value)) return value;
   } catch (const mu::ParserError& error) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : design) names.push_back(name);
     const ExpressionProblem found = parser_problem(expression, error, names);
     throw fail(found.problem, found.allowed);
+  }
+  std::string values;
+  for (const auto& [name, value] : design) {
+    values += (values.empty() ? "" : ", ") + name + " = " + Json(value).dump();
   }
   throw fail("has no finite value at " + values, "a formula with a value for every design");
 }

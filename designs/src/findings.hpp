@@ -30,6 +30,8 @@ class Findings {
   /// Adds an issue; its value is what the document holds at `pointer`.
   void add(const std::string& pointer, std::string problem, std::string allowed);
   void append(const std::vector<InputIssue>& issues);
+  /// Empty findings about the same document.
+  Findings of_its_own() const { return {file_, document_, prefix_}; }
 
   bool empty() const { return issues_.empty(); }
   std::size_t size() const { return issues_.size(); }

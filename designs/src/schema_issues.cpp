@@ -140,8 +140,11 @@ class Walk {
   void visit_object(SchemaNode schema, const Json& value, const std::string& pointer) {
     if (schema->contains("minProperties") &&
         value.size() < schema->at("minProperties").get<std::size_t>()) {
-      issues_.push_back({file_, prefix_ + pointer, short_text(value), "is empty",
-                         "at least " + schema->at("minProperties").dump() + " entry"});
+      const bool one = schema->at("minProperties") == 1;
+      issues_.push_back(
+          {file_, prefix_ + pointer, short_text(value),
+           value.empty() ? "is empty" : "has " + std::to_string(value.size()) + " entry",
+           "at least " + schema->at("minProperties").dump() + (one ? " entry" : " entries")});
     }
     for (const auto& [key, item] : value.items()) {
       visit_member(schema, key, item, child_pointer(pointer, key));

@@ -7,32 +7,16 @@
 namespace parapet::designs {
 namespace {
 
-/// The metrics that a scene with this many barriers has.
-class Metrics {
- public:
-  explicit Metrics(int n_barriers) : catalog_(solver::metric_catalog(n_barriers)) {
-    for (const solver::MetricInfo& info : catalog_) keys_.push_back(info.key);
-  }
-
-  /// nullptr when there is no such metric; that is then added to the findings.
-  const solver::MetricInfo* find(const std::string& key, const std::string& pointer,
-                                 Findings& findings) const {
-    for (const solver::MetricInfo& info : catalog_) {
-      if (info.key == key) return &info;
-    }
-    findings.add(pointer, "is not a metric of this case" + did_you_mean(key, keys_),
-                 "one of " + joined(keys_));
-    return nullptr;
-  }
-
- private:
-  std::vector<solver::MetricInfo> catalog_;
-  std::vector<std::string> keys_;
-};
-
 std::optional<double> optional_number(const Json& json, const char* key) {
   if (!json.contains(key) || json.at(key).is_null()) return std::nullopt;
   return json.at(key).get<double>();
+}
+
+Statistic read_statistic(const Json& json) {
+  const std::string word = json.at("statistic").get<std::string>();
+  if (word == "mean") return Statistic::mean;
+  if (word == "worst") return Statistic::worst;
+  return word == "quantile" ? Statistic::quantile : Statistic::probability;
 }
 
 /// The size of the limit: violations of limits of different units then compare.
@@ -41,6 +25,24 @@ double default_scale(const Constraint& constraint) {
     if (limit && *limit != 0.0) return std::abs(*limit);
   }
   return 1.0;
+}
+
+Objective read_objective(const Json& json) {
+  Objective objective;
+  objective.metric = json.value("metric", "");
+  objective.expression = json.value("expression", "");
+  objective.name =
+      json.value("name", objective.metric.empty() ? objective.expression : objective.metric);
+  objective.goal = json.at("goal") == "minimize" ? Goal::minimize : Goal::maximize;
+  objective.weight = json.at("weight").get<double>();
+  objective.scale = json.at("scale").get<double>();
+  objective.value_when_absent = optional_number(json, "value_when_absent");
+  objective.statistic = read_statistic(json);
+  objective.quantile = json.at("quantile").get<double>();
+  objective.lower = optional_number(json, "lower");
+  objective.upper = optional_number(json, "upper");
+  objective.reference = optional_number(json, "reference");
+  return objective;
 }
 
 Constraint read_constraint(const Json& json) {
@@ -53,68 +55,115 @@ Constraint read_constraint(const Json& json) {
   constraint.upper = optional_number(json, "upper");
   constraint.scale = optional_number(json, "scale").value_or(default_scale(constraint));
   constraint.satisfied_when_absent = json.at("satisfied_when_absent").get<bool>();
+  constraint.value_when_absent = optional_number(json, "value_when_absent");
+  constraint.statistic = read_statistic(json);
+  constraint.quantile = json.at("quantile").get<double>();
   return constraint;
 }
 
-void check_limits(const Constraint& constraint, const std::string& pointer, Findings& findings) {
-  if (!constraint.lower && !constraint.upper) {
-    findings.add(pointer, "has no limit", "lower, upper or both");
-  } else if (constraint.lower && constraint.upper && *constraint.lower > *constraint.upper) {
-    findings.add(pointer, "its lower limit is above its upper", "lower <= upper");
+/// Objectives and constraints alike: either a metric or an expression, and what that allows.
+class GoalCheck {
+ public:
+  GoalCheck(const Metrics& metrics, const std::vector<Variable>& variables, Findings& findings)
+      : metrics_(metrics), findings_(findings) {
+    for (const Variable& variable : variables) names_.push_back(variable.name);
+  }
+
+  /// False when there is nothing more to say.
+  template <typename Goal>
+  bool check_subject(const Goal& goal, const std::string& pointer, const std::string& verb) {
+    if (goal.metric.empty() == goal.expression.empty()) {
+      findings_.add(pointer, verb + (goal.metric.empty() ? " nothing" : " two things"),
+                    "either a metric or an expression");
+      return false;
+    }
+    if (!goal.metric.empty()) {
+      return metrics_.has(goal.metric, pointer + "/metric", findings_);
+    }
+    const auto [problem, allowed] = expression_problem(goal.expression, names_);
+    if (!problem.empty()) findings_.add(pointer + "/expression", problem, allowed);
+    if (goal.statistic != Goal{}.statistic) {
+      findings_.add(pointer + "/statistic", "has no use: an expression is the same in every event",
+                    "no statistic, or a metric");
+    }
+    if (goal.value_when_absent) {
+      findings_.add(pointer + "/value_when_absent", "has no use: an expression has a value always",
+                    "no such value, or a metric");
+    }
+    return problem.empty();
+  }
+
+  void check_limits(std::optional<double> lower, std::optional<double> upper,
+                    const std::string& pointer) {
+    if (!lower && !upper) {
+      findings_.add(pointer, "has no limit", "lower, upper or both");
+    } else if (lower && upper && *lower > *upper) {
+      findings_.add(pointer, "its lower limit is above its upper", "lower <= upper");
+    }
+  }
+
+ private:
+  const Metrics& metrics_;
+  Findings& findings_;
+  std::vector<std::string> names_;
+};
+
+void check_objective(const Objective& objective, const Metrics& metrics, const std::string& pointer,
+                     GoalCheck& check, Findings& findings) {
+  const bool sound = check.check_subject(objective, pointer, "asks for");
+  if (sound && !objective.metric.empty() && metrics.may_be_absent(objective.metric) &&
+      !objective.value_when_absent) {
+    findings.add(pointer + "/value_when_absent",
+                 "is missing, and " + objective.metric + " does not exist in every run",
+                 "a number that counts then");
+  }
+  if (objective.statistic == Statistic::probability) {
+    check.check_limits(objective.lower, objective.upper, pointer);
+  } else if (objective.lower || objective.upper) {
+    findings.add(pointer + (objective.lower ? "/lower" : "/upper"),
+                 "has no use without the statistic probability",
+                 "the statistic \"probability\", or a constraint");
   }
 }
 
 }  // namespace
 
-std::vector<Objective> read_objectives(const Json& json, int n_barriers, Findings& findings) {
-  const Metrics metrics(n_barriers);
+std::vector<Objective> read_objectives(const Json& json, const Metrics& metrics,
+                                       const std::vector<Variable>& variables, Findings& findings) {
+  GoalCheck check(metrics, variables, findings);
   std::vector<Objective> objectives;
   std::set<std::string> seen;
   for (std::size_t k = 0; k < json.size(); ++k) {
     const std::string pointer = child_pointer("/objectives", k);
-    Objective objective;
-    objective.metric = json[k].at("metric").get<std::string>();
-    objective.goal = json[k].at("goal") == "minimize" ? Goal::minimize : Goal::maximize;
-    objective.weight = json[k].at("weight").get<double>();
-    objective.scale = json[k].at("scale").get<double>();
-    objective.value_when_absent = optional_number(json[k], "value_when_absent");
-    const solver::MetricInfo* info = metrics.find(objective.metric, pointer + "/metric", findings);
-    if (info != nullptr && info->may_be_absent && !objective.value_when_absent) {
-      findings.add(pointer + "/value_when_absent",
-                   "is missing, and " + objective.metric + " does not exist in every run",
-                   "a number that counts then");
-    }
-    if (!seen.insert(objective.metric).second) {
-      findings.add(pointer + "/metric", "is an objective already", "each metric once");
+    Objective objective = read_objective(json[k]);
+    check_objective(objective, metrics, pointer, check, findings);
+    if (!seen.insert(objective.name).second && !objective.name.empty()) {
+      const bool by_metric = objective.name == objective.metric;
+      findings.add(pointer + (by_metric ? "/metric" : "/name"),
+                   by_metric ? "is an objective already"
+                             : "another objective is called \"" + objective.name + "\" too",
+                   "each metric once, or a name of its own in the key name");
     }
     objectives.push_back(std::move(objective));
   }
   return objectives;
 }
 
-std::vector<Constraint> read_constraints(const Json& json, int n_barriers,
+std::vector<Constraint> read_constraints(const Json& json, const Metrics& metrics,
                                          const std::vector<Variable>& variables,
                                          Findings& findings) {
-  const Metrics metrics(n_barriers);
-  std::vector<std::string> names;
-  for (const Variable& variable : variables) names.push_back(variable.name);
+  GoalCheck check(metrics, variables, findings);
   std::vector<Constraint> constraints;
   std::set<std::string> seen;
   for (std::size_t k = 0; k < json.size(); ++k) {
     const std::string pointer = child_pointer("/constraints", k);
     const Constraint constraint = read_constraint(json[k]);
     if (constraint.metric.empty() == constraint.expression.empty()) {
-      findings.add(pointer, constraint.metric.empty() ? "limits nothing" : "limits two things",
-                   "either a metric or an expression");
+      check.check_subject(constraint, pointer, "limits");
       continue;
     }
-    if (!constraint.metric.empty()) {
-      metrics.find(constraint.metric, pointer + "/metric", findings);
-    } else {
-      const auto [problem, allowed] = expression_problem(constraint.expression, names);
-      if (!problem.empty()) findings.add(pointer + "/expression", problem, allowed);
-    }
-    check_limits(constraint, pointer, findings);
+    check.check_subject(constraint, pointer, "limits");
+    check.check_limits(constraint.lower, constraint.upper, pointer);
     if (!seen.insert(constraint.name).second) {
       findings.add(pointer, "another constraint is called \"" + constraint.name + "\" too",
                    "a name of its own, in the key name");

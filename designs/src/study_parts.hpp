@@ -2,32 +2,57 @@
 /// passed, with defaults written out, and add what they find.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "distributions.hpp"
 #include "findings.hpp"
 #include "parapet/designs/study_spec.hpp"
+#include "study_metrics.hpp"
+#include "study_targets.hpp"
 
 namespace parapet::designs {
 
-/// The numbers of a case's scene that a variable may take the place of, as JSON pointers.
-std::vector<std::string> numeric_inputs(const Json& resolved_case);
+/// The variables, and the base case under every combination of their options: the base case alone
+/// when there are no choices, none when the choices are wrong.
+struct VariableReading {
+  std::vector<Variable> variables;
+  std::vector<Combination> combinations;
+};
+VariableReading read_variables(const Json& json, const Json& resolved_case, Findings& findings);
 
-std::vector<Variable> read_variables(const Json& json, const Json& resolved_case,
-                                     Findings& findings);
+std::vector<Objective> read_objectives(const Json& json, const Metrics& metrics,
+                                       const std::vector<Variable>& variables, Findings& findings);
 
-std::vector<Objective> read_objectives(const Json& json, int n_barriers, Findings& findings);
-
-std::vector<Constraint> read_constraints(const Json& json, int n_barriers,
+std::vector<Constraint> read_constraints(const Json& json, const Metrics& metrics,
                                          const std::vector<Variable>& variables,
                                          Findings& findings);
+
+/// A list of events, or one drawn from distributions. Precondition: at least one combination.
+std::vector<Scenario> read_scenarios(const Json& json, const std::vector<Variable>& variables,
+                                     const std::vector<Combination>& combinations,
+                                     Findings& findings);
+
+/// Nothing, with findings, when it is not sound.
+std::optional<Distribution> read_distribution(const Json& json, const std::string& pointer,
+                                              Findings& findings);
+
+/// The levels, finest first; one with the case's own spacing when none is given.
+std::vector<FidelityLevel> read_fidelity(const Json& json, const Json& resolved_case,
+                                         const Metrics& metrics, Findings& findings);
 
 /// Starting designs are checked against the variables, unless there are none. Algorithm names are
 /// left to the optimiser.
 Method read_method(const Json& json, const std::vector<Variable>& variables, Findings& findings);
 
-/// The study with every default written out.
-Json resolve_study(const StudySpec& study);
+/// Values by variable's name, choices by option's name; everything that check_design finds, too.
+Design read_design_values(const std::vector<Variable>& variables, const Json& json,
+                          const std::string& pointer, Findings& findings);
+
+/// The study with every default written out. `scenarios` is what its key held: distributions stay
+/// beside the list drawn from them.
+Json resolve_study(const StudySpec& study, const Json& scenarios);
 
 /// One thing wrong with an expression; empty problem when it is sound.
 struct ExpressionProblem {

@@ -1,105 +1,102 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
-#include "case_parts.hpp"
+#include "study_choices.hpp"
 #include "study_parts.hpp"
 #include "words.hpp"
 
 namespace parapet::designs {
 namespace {
 
-struct KnownVariable {
-  const char* name;
-  const char* target;  ///< N stands for the last barrier, * for each barrier
-};
-
-constexpr std::array<KnownVariable, 20> known_variables{
-    {{"deflector_angle_deg", "/barriers/0/deflector/angle_deg"},
-     {"deflector_length_m", "/barriers/0/deflector/length_m"},
-     {"upstream_height_m", "/barriers/0/height_m"},
-     {"upstream_foot_x_m", "/barriers/0/foot_x_m"},
-     {"upstream_thickness_m", "/barriers/0/thickness_m"},
-     {"upstream_stem_lean_deg", "/barriers/0/stem_lean_deg"},
-     {"barrier_spacing_m", "/barriers/1/spacing_m"},
-     {"downstream_height_m", "/barriers/N/height_m"},
-     {"downstream_thickness_m", "/barriers/N/thickness_m"},
-     {"downstream_stem_lean_deg", "/barriers/N/stem_lean_deg"},
-     {"downstream_deflector_angle_deg", "/barriers/N/deflector/angle_deg"},
-     {"downstream_deflector_length_m", "/barriers/N/deflector/length_m"},
-     {"barrier_thickness_m", "/barriers/*/thickness_m"},
-     {"slope_deg", "/channel/slope_deg"},
-     {"reservoir_length_m", "/reservoir/length_m"},
-     {"reservoir_height_m", "/reservoir/height_m"},
-     {"density_kg_m3", "/material/density_kg_m3"},
-     {"yield_stress_pa", "/material/yield_stress_pa"},
-     {"consistency_pa_sn", "/material/consistency_pa_sn"},
-     {"flow_index", "/material/flow_index"}}};
-
-std::vector<std::string> known_names() {
+std::vector<std::string> option_names(const Variable& choice) {
   std::vector<std::string> names;
-  for (const KnownVariable& known : known_variables) names.push_back(known.name);
+  for (const Option& option : choice.options) names.push_back(option.name);
   return names;
 }
 
-/// Targets of a name that Parapet knows, for this many barriers; "N" and "*" need at least two
-/// barriers and one. Empty when there is no such barrier.
-std::optional<std::vector<std::string>> known_targets(const std::string& name,
-                                                      std::size_t n_barriers) {
-  for (const KnownVariable& known : known_variables) {
-    if (name != known.name) continue;
-    std::string target = known.target;
-    std::vector<std::string> targets;
-    const std::size_t each = target.find('*'), last = target.find('N');
-    if (each != std::string::npos) {
-      for (std::size_t k = 0; k < n_barriers; ++k) {
-        targets.push_back(std::string(target).replace(each, 1, std::to_string(k)));
-      }
-    } else if (last == std::string::npos) {
-      targets.push_back(target);
-    } else if (n_barriers >= 2) {
-      targets.push_back(target.replace(last, 1, std::to_string(n_barriers - 1)));
-    }
-    return targets;
-  }
-  return std::nullopt;
+/// The place of an option among its choice's; empty when there is none of that name.
+std::optional<int> option_number(const Variable& choice, const std::string& name) {
+  const std::vector<std::string> names = option_names(choice);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<int>(found - names.begin());
 }
 
-void collect_numbers(const Json& value, const std::string& pointer,
-                     std::vector<std::string>& pointers) {
-  if (value.is_number()) pointers.push_back(pointer);
-  if (value.is_object()) {
-    for (const auto& [key, item] : value.items()) {
-      collect_numbers(item, child_pointer(pointer, key), pointers);
-    }
-  }
-  if (value.is_array()) {
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      collect_numbers(value[i], child_pointer(pointer, i), pointers);
-    }
-  }
-}
-
-/// Reads one variable after the other against the same base case.
+/// Reads one variable after the other: what each says by itself, and its condition on an earlier
+/// one.
 class VariableReader {
  public:
-  VariableReader(const Json& resolved_case, Findings& findings)
-      : case_(resolved_case), inputs_(numeric_inputs(resolved_case)), findings_(findings) {}
+  explicit VariableReader(Findings& findings) : findings_(findings) {}
 
-  Variable read(const std::string& name, const Json& json) {
+  void read(const std::string& name, const Json& json) {
     const std::string pointer = child_pointer("/variables", name);
-    Variable variable{name, {}, json.at("lower").get<double>(), json.at("upper").get<double>()};
+    Variable variable;
+    variable.name = name;
+    variable.kind = read_kind(json, pointer);
+    if (variable.kind == VariableKind::choice) {
+      read_options(json, pointer, variable);
+    } else {
+      read_bounds(json, pointer, variable);
+      variable.targets = wanted_targets(name, json, pointer);
+    }
+    if (json.contains("active_when")) {
+      variable.active_when = read_condition(json.at("active_when"), pointer + "/active_when");
+    }
+    variables.push_back(std::move(variable));
+  }
+
+  std::vector<Variable> variables;
+
+ private:
+  VariableKind read_kind(const Json& json, const std::string& pointer) {
+    const bool has_options = json.contains("options");
+    const std::string type = json.contains("type") ? json.at("type").get<std::string>()
+                             : has_options         ? "choice"
+                                                   : "";
+    if (has_options && type != "choice") {
+      findings_.add(pointer + "/type", "stands beside options", "\"choice\", or no options");
+    }
+    if (!has_options && type == "choice") {
+      findings_.add(pointer + "/options", "is missing", "an object of at least two options");
+    }
+    if (has_options || type == "choice") return VariableKind::choice;
+    return type == "integer" ? VariableKind::integer : VariableKind::continuous;
+  }
+
+  void read_options(const Json& json, const std::string& pointer, Variable& variable) {
+    for (const char* key : {"lower", "upper", "target", "targets"}) {
+      if (!json.contains(key)) continue;
+      findings_.add(child_pointer(pointer, key), "stands beside options, and a choice has none",
+                    "either options, or bounds and a target");
+    }
+    if (!json.contains("options")) return;
+    for (const auto& [name, entry] : json.at("options").items()) {
+      Option option{name, entry.at("remove").get<std::vector<std::string>>(), {}};
+      for (const auto& [place, value] : entry.at("set").items()) option.sets[place] = value;
+      variable.options.push_back(std::move(option));
+    }
+    variable.upper = static_cast<double>(variable.options.size()) - 1.0;
+  }
+
+  void read_bounds(const Json& json, const std::string& pointer, Variable& variable) {
+    for (const char* key : {"lower", "upper"}) {
+      const std::string place = child_pointer(pointer, key);
+      if (!json.contains(key)) {
+        findings_.add(place, "is missing", "a number");
+        return;
+      }
+      const double bound = json.at(key).get<double>();
+      if (variable.kind == VariableKind::integer && std::floor(bound) != bound) {
+        findings_.add(place, "is not a whole number", "a whole number, or the type continuous");
+      }
+    }
+    variable.lower = json.at("lower").get<double>();
+    variable.upper = json.at("upper").get<double>();
     if (!(variable.lower < variable.upper)) {
       findings_.add(pointer, "the lower bound is not below the upper", "lower < upper");
     }
-    for (const std::string& target : wanted_targets(name, json, pointer)) {
-      if (check_target(name, target, pointer, json)) variable.targets.push_back(target);
-    }
-    return variable;
   }
 
- private:
   std::vector<std::string> wanted_targets(const std::string& name, const Json& json,
                                           const std::string& pointer) {
     if (json.contains("target") && json.contains("targets")) {
@@ -109,111 +106,172 @@ class VariableReader {
     }
     if (json.contains("target")) return {json.at("target").get<std::string>()};
     if (json.contains("targets")) return json.at("targets").get<std::vector<std::string>>();
-    const auto targets = known_targets(name, case_.at("barriers").size());
-    if (!targets) {
-      findings_.add(
-          pointer,
-          "is not a name that Parapet knows, and has no target" + did_you_mean(name, known_names()),
-          "a target such as /barriers/0/height_m, or one of the names " + joined(known_names()));
-      return {};
-    }
-    if (targets->empty()) {
-      findings_.add(pointer,
-                    "needs a barrier that the case does not have (barriers in the case: " +
-                        std::to_string(case_.at("barriers").size()) + ")",
-                    possible_inputs());
-    }
-    return *targets;
+    if (const auto target = known_target(name)) return {*target};
+    findings_.add(
+        pointer,
+        "is not a name that Parapet knows, and has no target" + did_you_mean(name, known_names()),
+        "a target such as /barriers/0/height_m, or one of the names " + joined(known_names()));
+    return {};
   }
 
-  bool check_target(const std::string& name, const std::string& target, const std::string& pointer,
-                    const Json& json) {
-    if (std::find(inputs_.begin(), inputs_.end(), target) == inputs_.end()) {
-      findings_.add(pointer, missing_target(target), possible_inputs());
-      return false;
+  std::optional<ActiveWhen> read_condition(const Json& json, const std::string& pointer) {
+    if (json.size() != 1) {
+      findings_.add(pointer, "names " + std::to_string(json.size()) + " choices",
+                    "one earlier choice with one or several of its options");
+      return std::nullopt;
     }
-    const std::string key = last_key(target);
-    if (unit_suffix(name) != unit_suffix(key)) {
-      findings_.add(pointer, "the name does not end in the unit of its target " + target,
-                    unit_suffix(key).empty()
-                        ? "a name without a unit"
-                        : "a name that ends in " + std::string(unit_suffix(key)));
-      return false;
+    const std::string name = json.begin().key();
+    const Json& wanted = json.begin().value();
+    const std::string place = child_pointer(pointer, name);
+    std::vector<std::string> choices;
+    for (const Variable& earlier : variables) {
+      if (earlier.kind == VariableKind::choice) choices.push_back(earlier.name);
+      if (earlier.name != name || earlier.kind != VariableKind::choice) continue;
+      return read_condition_options(earlier, wanted, place);
     }
-    const auto [owner, is_new] = owners_.try_emplace(target, name);
-    if (!is_new) {
-      findings_.add(pointer, "varies " + target + ", which " + owner->second + " varies already",
-                    "one variable for each input");
-      return false;
+    findings_.add(place, "is not an earlier choice" + did_you_mean(name, choices),
+                  choices.empty() ? "a choice that stands before this variable"
+                                  : "one of " + joined(choices));
+    return std::nullopt;
+  }
+
+  ActiveWhen read_condition_options(const Variable& choice, const Json& wanted,
+                                    const std::string& pointer) {
+    ActiveWhen condition{choice.name, {}};
+    const Json list = wanted.is_string() ? Json::array({wanted}) : wanted;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::string word = list[k].get<std::string>();
+      if (const auto number = option_number(choice, word)) {
+        condition.options.push_back(*number);
+        continue;
+      }
+      const std::vector<std::string> names = option_names(choice);
+      findings_.add(wanted.is_string() ? pointer : child_pointer(pointer, k),
+                    "is not an option of " + choice.name + did_you_mean(word, names),
+                    "one of " + joined(names, "\""));
     }
-    check_bounds(target, pointer, json);
+    return condition;
+  }
+
+  Findings& findings_;
+};
+
+/// Holds the targets of the variables against every combination of options.
+class TargetCheck {
+ public:
+  TargetCheck(const std::vector<Variable>& variables, const std::vector<Combination>& combinations,
+              const Json& json, Findings& findings)
+      : variables_(variables),
+        combinations_(combinations),
+        json_(json),
+        findings_(findings),
+        owners_(combinations.size()) {
+    for (std::size_t c = 0; c < combinations.size(); ++c) own_by_options(c);
+  }
+
+  /// The targets that are sound; those that are the same place under every combination by that
+  /// place.
+  std::vector<std::string> sound_targets(const Variable& variable) {
+    std::vector<std::string> sound;
+    for (const std::string& target : variable.targets) {
+      std::vector<std::vector<std::string>> places;
+      if (!check(variable, target, places)) continue;
+      const bool same = std::all_of(places.begin(), places.end(),
+                                    [&](const auto& other) { return other == places.front(); });
+      if (same && !places.empty()) {
+        sound.insert(sound.end(), places.front().begin(), places.front().end());
+      } else {
+        sound.push_back(target);
+      }
+    }
+    return sound;
+  }
+
+ private:
+  void own_by_options(std::size_t c) {
+    for (const Variable& choice : variables_) {
+      const auto taken = combinations_[c].options.find(choice.name);
+      if (taken == combinations_[c].options.end()) continue;
+      const Option& option = choice.options[static_cast<std::size_t>(taken->second)];
+      for (const auto& [place, value] : option.sets) {
+        owners_[c][place] = "the option " + option.name + " of " + choice.name + " sets";
+      }
+    }
+  }
+
+  bool check(const Variable& variable, const std::string& target,
+             std::vector<std::vector<std::string>>& places) {
+    const std::string pointer = child_pointer("/variables", variable.name);
+    for (std::size_t c = 0; c < combinations_.size(); ++c) {
+      if (!is_active(variables_, variable, combinations_[c].options)) continue;
+      const TargetPlaces found = find_target(target, combinations_[c]);
+      if (!found.problem.empty()) {
+        findings_.add(pointer, found.problem, found.allowed);
+        return false;
+      }
+      if (places.empty() && !check_unit(variable.name, found.pointers.front(), pointer)) {
+        return false;
+      }
+      for (const std::string& place : found.pointers) {
+        const auto [owner, is_new] = owners_[c].try_emplace(place, variable.name + " varies");
+        if (is_new) continue;
+        findings_.add(
+            pointer,
+            "varies " + place + ", which " + owner->second + " already" + combinations_[c].note(),
+            "one variable for each input");
+        return false;
+      }
+      if (places.empty()) check_bounds(found.pointers.front(), pointer);
+      places.push_back(found.pointers);
+    }
     return true;
   }
 
+  bool check_unit(const std::string& name, const std::string& place, const std::string& pointer) {
+    const std::string key = last_key(place);
+    if (unit_suffix(name) == unit_suffix(key)) return true;
+    findings_.add(pointer, "the name does not end in the unit of its target " + place,
+                  unit_suffix(key).empty()
+                      ? "a name without a unit"
+                      : "a name that ends in " + std::string(unit_suffix(key)));
+    return false;
+  }
+
   /// Each bound against what the case's schema allows at the target.
-  void check_bounds(const std::string& target, const std::string& pointer, const Json& json) {
-    const auto node = schema_at(schema_document("case.schema.json"), target);
+  void check_bounds(const std::string& place, const std::string& pointer) {
+    const Json& json = json_.at(last_key(pointer));
     for (const char* bound : {"lower", "upper"}) {
-      for (const InputIssue& issue : schema_issues(*node, json.at(bound), "", "")) {
-        findings_.add(child_pointer(pointer, bound), issue.problem + " for " + target,
-                      allowed_by(*node, last_key(target)));
+      if (!json.contains(bound)) continue;
+      for (const ValueProblem& found : value_problems(place, json.at(bound))) {
+        findings_.add(child_pointer(pointer, bound), found.problem, found.allowed);
       }
     }
   }
 
-  std::string missing_target(const std::string& target) const {
-    if (target.empty() || target[0] != '/') {
-      return "its target " + target + " is not a JSON pointer into the case";
-    }
-    const std::string deflector = "/deflector/";
-    const std::size_t at = target.find(deflector);
-    if (at != std::string::npos) {
-      const Json* plate = find_value(target.substr(0, at + deflector.size() - 1));
-      if (plate != nullptr && plate->is_null()) {
-        return "its target " + target + " does not exist: that barrier has no deflector";
-      }
-    }
-    const auto node = schema_at(schema_document("case.schema.json"), target);
-    if (node && (*node)->value("type", Json()) == "number" && find_value(target) == nullptr) {
-      return "its target " + target + " is not set in the case";
-    }
-    return "its target " + target + " is not a number of the case's scene";
-  }
-
-  /// What the case holds there; nullptr when that is no place in it.
-  const Json* find_value(const std::string& pointer) const {
-    try {
-      return &case_.at(Json::json_pointer(pointer));
-    } catch (const Json::exception&) {
-      return nullptr;
-    }
-  }
-
-  std::string possible_inputs() const { return "one of " + joined(inputs_); }
-
-  const Json& case_;
-  std::vector<std::string> inputs_;
+  const std::vector<Variable>& variables_;
+  const std::vector<Combination>& combinations_;
+  const Json& json_;
   Findings& findings_;
-  std::map<std::string, std::string> owners_;
+  std::vector<std::map<std::string, std::string>> owners_;  ///< by combination: place -> who
 };
 
 }  // namespace
 
-std::vector<std::string> numeric_inputs(const Json& resolved_case) {
-  std::vector<std::string> pointers;
-  for (const char* section : {"channel", "reservoir", "material", "barriers", "solids"}) {
-    if (!resolved_case.contains(section)) continue;
-    collect_numbers(resolved_case.at(section), child_pointer("", section), pointers);
-  }
-  return pointers;
-}
-
-std::vector<Variable> read_variables(const Json& json, const Json& resolved_case,
-                                     Findings& findings) {
-  VariableReader reader(resolved_case, findings);
-  std::vector<Variable> variables;
-  for (const auto& [name, entry] : json.items()) variables.push_back(reader.read(name, entry));
-  return variables;
+VariableReading read_variables(const Json& json, const Json& resolved_case, Findings& findings) {
+  const bool has_choices = std::any_of(json.begin(), json.end(), [](const Json& entry) {
+    return entry.contains("options") || entry.contains("active_when");
+  });
+  const std::size_t known_findings = findings.size();
+  VariableReader reader(findings);
+  for (const auto& [name, entry] : json.items()) reader.read(name, entry);
+  VariableReading result{std::move(reader.variables), {}};
+  // What options do cannot be judged while the choices are wrong themselves.
+  if (has_choices && findings.size() > known_findings) return result;
+  result.combinations = combinations(result.variables, resolved_case, findings);
+  if (has_choices && findings.size() > known_findings) return result;
+  TargetCheck check(result.variables, result.combinations, json, findings);
+  for (Variable& variable : result.variables) variable.targets = check.sound_targets(variable);
+  return result;
 }
 
 }  // namespace parapet::designs

@@ -8,15 +8,17 @@ namespace parapet::designs {
 namespace {
 
 // Longest first: the first that fits is the unit.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> units{{{"_kg_m3", "kg/m3"},
-                                                                              {"_pa_sn", "Pa s^N"},
-                                                                              {"_per_s", "1/s"},
-                                                                              {"_m_s2", "m/s2"},
-                                                                              {"_m_s", "m/s"},
-                                                                              {"_deg", "deg"},
-                                                                              {"_pa", "Pa"},
-                                                                              {"_m", "m"},
-                                                                              {"_s", "s"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> units{
+    {{"_m3_per_m", "m3/m"},
+     {"_kg_m3", "kg/m3"},
+     {"_pa_sn", "Pa s^N"},
+     {"_per_s", "1/s"},
+     {"_m_s2", "m/s2"},
+     {"_m_s", "m/s"},
+     {"_deg", "deg"},
+     {"_pa", "Pa"},
+     {"_m", "m"},
+     {"_s", "s"}}};
 
 // Units that people write although Parapet does not take them.
 constexpr std::array<std::string_view, 9> foreign_units{"_degrees", "_rad", "_kpa", "_hpa", "_mm",

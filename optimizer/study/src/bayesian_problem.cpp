@@ -84,7 +84,7 @@ class MetricList {
     metric.name = quantity_name(quantity);
     metric.known_noise = known_noise(study_, quantity);
     set_bounds(quantity, metric);
-    metrics.push_back({quantity, ""});
+    metrics.emplace_back().quantity = quantity;
     result_.problem.metrics.push_back(std::move(metric));
     return metrics.size() - 1;
   }
@@ -97,7 +97,8 @@ class MetricList {
       return formula_value(study, expression, to_design(study, space, x))
           .value_or(std::numeric_limits<double>::quiet_NaN());
     };
-    result_.metrics.push_back({{}, objective.expression});
+    SearchMetric& added = result_.metrics.emplace_back();
+    added.expression = objective.expression;
     result_.problem.metrics.push_back(std::move(metric));
     return result_.metrics.size() - 1;
   }

@@ -25,8 +25,11 @@ std::string study_hash(const designs::StudySpec& study) {
   json.erase("description");
   if (json.contains("case")) leave_out_of_case(json["case"]);
   if (json.contains("method")) {
-    json["method"].erase("max_evaluations");
-    json["method"].erase("max_time_s");
+    // When a study ends does not change what it is: it may be continued.
+    for (const char* limit : {"max_evaluations", "max_time_s", "max_cpu_time_s",
+                              "stagnation_evaluations", "least_gain"}) {
+      json["method"].erase(limit);
+    }
   }
   return designs::spec_hash(json);
 }

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <stdexcept>
 #include <string_view>
 
+#include "parapet/study/bayesian_problem.hpp"
+#include "parapet/study/experiments.hpp"
 #include "parapet/study/problem.hpp"
 #include "parapet/study/scoring.hpp"
 
@@ -73,7 +76,44 @@ optimizer::Options make_options(const designs::StudySpec& study) {
   return options;
 }
 
-std::vector<designs::InputIssue> method_issues(const designs::StudySpec& study) {
+namespace {
+
+designs::InputIssue method_issue(const designs::StudySpec& study, const std::string& member,
+                                 const std::string& value, const std::string& problem,
+                                 const std::string& allowed) {
+  return {.file = study.source_file,
+          .pointer = "/method/" + member,
+          .value = value,
+          .problem = problem,
+          .allowed = allowed};
+}
+
+std::vector<designs::InputIssue> search_issues(const designs::StudySpec& study) {
+  try {
+    bayesian::Search(make_search_problem(study).problem, make_search_options(study));
+  } catch (const std::invalid_argument& error) {
+    return {method_issue(study, "algorithm", designs::Json(study.method.algorithm).dump(),
+                         error.what(), "a study that the algorithm can search")};
+  }
+  return {};
+}
+
+std::vector<designs::InputIssue> experiment_issues(const designs::StudySpec& study) {
+  try {
+    lay_out_experiments(study);
+  } catch (const designs::InputError& error) {
+    return error.issues();
+  }
+  return {};
+}
+
+std::vector<designs::InputIssue> nlopt_issues(const designs::StudySpec& study) {
+  for (const designs::Variable& variable : study.variables) {
+    if (variable.kind != designs::VariableKind::choice) continue;
+    return {method_issue(study, "algorithm", designs::Json(study.method.algorithm).dump(),
+                         "knows no choices, and " + variable.name + " is one",
+                         "BAYESIAN, SOBOL, LATIN_HYPERCUBE, FULL_FACTORIAL or LIST")};
+  }
   optimizer::Problem problem = make_problem(study);
   problem.evaluate = [](const std::vector<double>&) { return optimizer::Evaluation{}; };
   std::vector<designs::InputIssue> issues;
@@ -81,6 +121,21 @@ std::vector<designs::InputIssue> method_issues(const designs::StudySpec& study) 
     issues.push_back(issue_of(sentence, study));
   }
   return issues;
+}
+
+}  // namespace
+
+std::vector<designs::InputIssue> method_issues(const designs::StudySpec& study) {
+  switch (search_kind(study)) {
+    case SearchKind::bayesian:
+      return search_issues(study);
+    case SearchKind::experiments:
+      return experiment_issues(study);
+    case SearchKind::scalarized:
+    case SearchKind::weighted_sum:
+      break;
+  }
+  return nlopt_issues(study);
 }
 
 }  // namespace parapet::study

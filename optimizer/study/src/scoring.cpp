@@ -129,10 +129,8 @@ int limit_count(const designs::StudySpec& study, bool on_metric) {
 
 std::optional<double> formula_value(const designs::StudySpec& study, const std::string& expression,
                                     const designs::Design& design) {
-  designs::Design complete = design;
-  for (const designs::Variable& variable : study.variables) complete.emplace(variable.name, 0.0);
   try {
-    const double value = designs::evaluate_expression(expression, complete);
+    const double value = designs::evaluate_expression(study, expression, design);
     if (std::isfinite(value)) return value;
   } catch (const designs::InputError&) {
     // The spec was checked: what fails here fails for these values only, such as a division by 0.

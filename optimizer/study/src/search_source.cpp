@@ -62,10 +62,17 @@ bool SearchSource::told_enough() {
   return true;
 }
 
+bool SearchSource::within_budget() const {
+  // The search does not know of the incomplete designs that are under way.
+  const auto used = static_cast<std::size_t>(search_.evaluations()) + open_;
+  return used < static_cast<std::size_t>(context_.study.method.max_evaluations);
+}
+
 std::optional<Proposal> SearchSource::ask() {
   const auto suggestion = search_.ask();
   if (!suggestion) return std::nullopt;
   questions_.emplace_back(suggestion->id);
+  ++open_;
   Proposal proposal;
   proposal.stage = suggestion->stage;
   proposal.design = to_design(context_.study, problem_.problem.space, suggestion->x);
@@ -79,9 +86,12 @@ std::optional<Proposal> SearchSource::next() {
     const UnfinishedDesign one = unfinished_.back();
     unfinished_.pop_back();
     questions_.emplace_back();
+    ++open_;
     return Proposal{.stage = "search", .design = one.design, .spacing = one.spacing};
   }
-  if (order_ == AnswerOrder::as_they_come) return ask();
+  if (order_ == AnswerOrder::as_they_come) {
+    return open_ == 0 || within_budget() ? ask() : std::nullopt;
+  }
   while (told_enough()) {
     if (auto proposal = ask()) return proposal;
     // Nothing sensible before another answer: exactly one more, whichever are there already.
@@ -92,6 +102,7 @@ std::optional<Proposal> SearchSource::next() {
 }
 
 void SearchSource::answered(std::size_t number, const reports::EvaluationRecord& record) {
+  --open_;
   if (order_ != AnswerOrder::as_they_come) {
     answers_.emplace(number, record);
   } else if (questions_[number]) {

@@ -44,6 +44,7 @@ class SearchSource : public DesignSource {
   void tell_log_before(const Proposal& proposal);
   bool told_enough();
   bool tell_next();
+  bool within_budget() const;
   std::optional<Proposal> ask();
 
   const StudyContext& context_;
@@ -55,6 +56,7 @@ class SearchSource : public DesignSource {
   std::vector<UnfinishedDesign> unfinished_;  // still to be proposed, last first
   std::vector<std::optional<int>> questions_;  // the search's id by number; empty: not its question
   std::map<std::size_t, reports::EvaluationRecord> answers_;  // not told yet, by number
+  std::size_t open_ = 0;    // proposals without an answer
   std::size_t told_ = 0;    // answers told in order
   std::size_t needed_ = 0;  // answers that must be told before the next question
 };

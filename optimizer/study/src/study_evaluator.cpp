@@ -26,11 +26,19 @@ StudyEvaluator::StudyEvaluator(const StudyContext& context, int jobs)
     : context_(context), jobs_(jobs) {}
 
 bool StudyEvaluator::stopped() const {
-  return failure_ || cancelled_ || context_.cancelled();
+  return failure_ || cancelled_ || out_of_cpu_time_ || context_.cancelled();
 }
 
 void StudyEvaluator::throw_if_failed() const {
   if (failure_) std::rethrow_exception(failure_);
+}
+
+bool StudyEvaluator::cpu_time_left() {
+  const double most = context_.study.method.max_cpu_time_s;
+  double spent = 0.0;
+  for (const auto& record : context_.folder.log().records()) spent += record.cpu_time;
+  out_of_cpu_time_ = most > 0.0 && spent >= most;
+  return !out_of_cpu_time_;
 }
 
 std::unique_ptr<DesignJob> StudyEvaluator::pose(const designs::Design& design,
@@ -42,6 +50,7 @@ std::unique_ptr<DesignJob> StudyEvaluator::pose(const designs::Design& design,
     if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(*known, true);
     return nullptr;
   }
+  if (!cpu_time_left()) return nullptr;
   int number = questions_;
   while (ids_given_.count(number) != 0 ||
          !context_.folder.id_is_free(reports::evaluation_id(number), design, spacing)) {

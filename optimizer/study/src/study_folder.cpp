@@ -84,7 +84,7 @@ std::string file_name_of(const std::string& id, const std::string& scenario, std
                        c == '-' || c == '_' || c == '.';
     if (!plain) c = '_';
   }
-  if (name != scenario) name += "-" + std::to_string(event + 1);
+  if (name != scenario) name.append("-").append(std::to_string(event + 1));
   return id + "-" + name + ".json";
 }
 

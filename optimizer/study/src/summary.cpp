@@ -38,6 +38,9 @@ designs::Json to_json(const StudySummary& summary, const designs::StudySpec& stu
   json["rejected"] = summary.rejected;
   json["best"] = optional_record(summary.best);
   json["starting_best"] = optional_record(summary.starting_best);
+  json["pareto_size"] = summary.pareto.size();
+  json["hypervolume"] = summary.hypervolume;
+  if (summary.optimizer_time) json["optimizer_time_s"] = *summary.optimizer_time;
   json["elapsed_s"] = summary.elapsed;
   return json;
 }

@@ -34,10 +34,12 @@ struct ActiveWhen {
 
 /// One input of the case that may vary.
 struct Variable {
-  std::string name;                  ///< for example deflector_angle_deg
-  std::vector<std::string> targets;  ///< JSON pointers into the case that take its value
-  double lower = 0.0;                ///< of a choice: 0
-  double upper = 0.0;                ///< of a choice: the number of options - 1
+  std::string name;  ///< for example deflector_angle_deg
+  /// JSON pointers into the case that take its value. /barriers/N/... is the last of at least two
+  /// barriers and /barriers/*/... each one, where that differs between combinations of options.
+  std::vector<std::string> targets;
+  double lower = 0.0;  ///< of a choice: 0
+  double upper = 0.0;  ///< of a choice: the number of options - 1
   VariableKind kind = VariableKind::continuous;
   std::vector<Option> options = {};  ///< of a choice
   std::optional<ActiveWhen> active_when = {};
@@ -156,13 +158,31 @@ std::map<std::string, std::string> option_names(const StudySpec& study, const De
 /// Whether a variable exists under the options that a design takes.
 bool is_active(const StudySpec& study, const Variable& variable, const Design& design);
 
-/// Missing, unknown and out-of-bounds variables. Empty when sound.
+/// A design as people write it, {"deflector_angle_deg": 45, "deflector": "plate"}: a number for
+/// each active variable, an option's name for each active choice. The issues are those of
+/// check_design, and texts or numbers where the other belongs; the design holds what is sound.
+struct DesignReading {
+  Design design;
+  std::vector<InputIssue> issues;
+};
+DesignReading read_design(const StudySpec& study, const Json& json, const std::string& source);
+
+/// The design in that form: the inverse of read_design.
+Json design_json(const StudySpec& study, const Design& design);
+
+/// Missing, unknown and out-of-bounds variables, choices that are no option's number, inactive
+/// variables that are given. Empty when sound.
 std::vector<InputIssue> check_design(const StudySpec& study, const Design& design,
                                      const std::string& source);
 
 /// Value of a design expression (muParser), the variables' names being its symbols.
 /// @throws InputError when it cannot be evaluated.
 double evaluate_expression(const std::string& expression, const Design& design);
+
+/// The same for a study's objective or constraint: variables that are not active in the design
+/// count as 0, choices as their option's number.
+double evaluate_expression(const StudySpec& study, const std::string& expression,
+                           const Design& design);
 
 /// Stable 64-bit hash of a resolved JSON document as 16 hex digits (FNV-1a of its compact dump).
 std::string spec_hash(const Json& json);

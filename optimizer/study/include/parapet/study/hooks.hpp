@@ -20,6 +20,9 @@ struct Hooks {
   std::function<void(const std::string& id)> on_simulation_ended;
   /// A design's record is known and on disk; from_log: nothing was simulated for it.
   std::function<void(const reports::EvaluationRecord& record, bool from_log)> on_evaluated;
+  /// After each record: designs in the Pareto set (of one objective: 1 when any is feasible) and
+  /// the hypervolume that they dominate.
+  std::function<void(int designs, double hypervolume)> on_front;
   std::function<void(const std::string& sentence)> on_message;
 };
 

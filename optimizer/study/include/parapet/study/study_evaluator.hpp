@@ -42,6 +42,9 @@ class StudyEvaluator {
   /// Whether no further question will be answered.
   bool stopped() const;
 
+  /// Whether a design was refused because method.max_cpu_time_s is used up; stopped() is true then.
+  bool out_of_cpu_time() const { return out_of_cpu_time_; }
+
   /// Throws what stopped the evaluator, if that was a failure.
   void throw_if_failed() const;
 
@@ -52,6 +55,7 @@ class StudyEvaluator {
  private:
   std::unique_ptr<DesignJob> pose(const designs::Design& design, const std::string& stage);
   void simulate(const std::vector<std::unique_ptr<DesignJob>>& jobs);
+  bool cpu_time_left();
   optimizer::Evaluation answer(const designs::Design& design, const Scalarizer& scalarizer) const;
 
   const StudyContext& context_;
@@ -62,6 +66,7 @@ class StudyEvaluator {
   std::vector<designs::Design> asked_;
   std::set<designs::Design> asked_set_;
   std::atomic<bool> cancelled_ = false;
+  bool out_of_cpu_time_ = false;
   std::exception_ptr failure_;
 };
 

@@ -1,0 +1,249 @@
+// The asynchronous search: resumable, repeatable, within its budgets, honest about failures.
+#include <algorithm>
+#include <cmath>
+
+#include "fake_study.hpp"
+#include "parapet/reports/evaluation_log.hpp"
+
+namespace parapet::test {
+namespace {
+
+using designs::Json;
+using study::StudyState;
+
+class SearchLoop : public FakeStudyTest {};
+
+/// Simulations that were asked for again although they had ended.
+int repetitions(const FakeSimulator& first, const FakeSimulator& second) {
+  int count = 0;
+  const auto before = first.counts();
+  for (const auto& [what, times] : second.counts()) {
+    const auto found = before.find(what);
+    count += times - 1 + (found == before.end() ? 0 : found->second);
+  }
+  return count;
+}
+
+TEST_F(SearchLoop, UsesItsBudgetAndFindsTheFront) {
+  const FakeSimulator simulator;
+  const auto summary = run(parsed(fake_study()), "out", simulator);
+  EXPECT_EQ(summary.state, StudyState::done) << summary.message;
+  EXPECT_EQ(summary.termination, "budget");
+  EXPECT_EQ(summary.evaluations, 14);
+  EXPECT_EQ(simulator.ended(), 14);
+  ASSERT_GE(summary.pareto.size(), 3U);
+  // On the front sqrt(f1) + sqrt(f2) is 1. Fourteen designs of two variables reach it nearly:
+  // measured 1.00 to 1.02 for the best, limit 1.1.
+  double nearest = 10.0;
+  for (const auto& record : summary.pareto) {
+    nearest = std::min(nearest, std::sqrt(*record.objectives[0].value) +
+                                    std::sqrt(*record.objectives[1].value));
+  }
+  EXPECT_LT(nearest, 1.1);
+}
+
+TEST_F(SearchLoop, StoppedAnywhereItResumesToTheSameLog) {
+  const auto study = parsed(fake_study());
+  run(study, "calm", FakeSimulator());
+  for (const int stop : {0, 1, 5, 9, 13}) {
+    const std::string out = "out" + std::to_string(stop);
+    const FakeSimulator disturbed({.delays = false, .fails = {}, .cancel_after = stop});
+    EXPECT_EQ(run(study, out, disturbed).state, StudyState::interrupted);
+    EXPECT_EQ(records(out).size(), static_cast<std::size_t>(stop));
+    const FakeSimulator again;
+    const auto summary = run(study, out, again);
+    EXPECT_EQ(summary.state, StudyState::done);
+    EXPECT_EQ(records(out), records("calm")) << "stopped after " << stop;
+    EXPECT_EQ(repetitions(disturbed, again), 0);
+    EXPECT_EQ(json(out, "pareto.json"), json("calm", "pareto.json"));
+    EXPECT_EQ(json(out, "surrogates.json"), json("calm", "surrogates.json"));
+  }
+}
+
+TEST_F(SearchLoop, RepeatableSearchDoesNotDependOnTheSpeedOfSimulations) {
+  Json json = fake_study();
+  json["method"]["repeatable"] = true;
+  const auto study = parsed(json);
+  run(study, "calm", FakeSimulator(), 3);
+  for (const char* out : {"first", "second"}) {
+    run(study, out, FakeSimulator({.delays = true, .fails = {}, .cancel_after = -1}), 3);
+    EXPECT_EQ(records(out), records("calm"));
+  }
+  const FakeSimulator disturbed({.delays = true, .fails = {}, .cancel_after = 8});
+  run(study, "stopped", disturbed, 3);
+  const FakeSimulator again({.delays = true, .fails = {}, .cancel_after = -1});
+  run(study, "stopped", again, 3);
+  EXPECT_EQ(records("stopped"), records("calm"));
+  EXPECT_EQ(repetitions(disturbed, again), 0);
+}
+
+TEST_F(SearchLoop, SeveralJobsResumeFromTheLogAndKeepTheBudget) {
+  const auto study = parsed(fake_study());
+  const FakeSimulator disturbed({.delays = true, .fails = {}, .cancel_after = 7});
+  EXPECT_EQ(run(study, "out", disturbed, 3).state, StudyState::interrupted);
+  const auto before = records("out");
+  EXPECT_EQ(before.size(), 7U);
+  const FakeSimulator again({.delays = true, .fails = {}, .cancel_after = -1});
+  const auto summary = run(study, "out", again, 3);
+  EXPECT_EQ(summary.evaluations, 14);
+  EXPECT_EQ(again.ended(), 7) << "what was logged counts";
+  EXPECT_EQ(repetitions(disturbed, again), 0);
+  const auto after = records("out");
+  for (const auto& [id, record] : before) EXPECT_EQ(after.at(id), record);
+}
+
+TEST_F(SearchLoop, LargerBudgetGoesOn) {
+  Json json = fake_study();
+  run(parsed(json), "calm", FakeSimulator());
+  json["method"]["max_evaluations"] = 9;
+  run(parsed(json), "out", FakeSimulator());
+  EXPECT_EQ(records("out").size(), 9U);
+  const FakeSimulator more;
+  run(parsed(fake_study()), "out", more);
+  EXPECT_EQ(more.ended(), 5);
+  EXPECT_EQ(records("out").size(), 14U);
+}
+
+TEST_F(SearchLoop, EventsThatEndedBeforeAStopAreNotSimulatedAgain) {
+  const auto study = parsed(fake_study_with_scenarios());
+  run(study, "calm", FakeSimulator());
+  for (const int jobs : {1, 2}) {
+    const std::string out = "out" + std::to_string(jobs);
+    // Four designs have ended then, and two of three events of the fifth.
+    const FakeSimulator disturbed({.delays = false, .fails = {}, .cancel_after = 14});
+    run(study, out, disturbed, jobs);
+    EXPECT_EQ(disturbed.ended(), 14);
+    const FakeSimulator again;
+    run(study, out, again, jobs);
+    EXPECT_EQ(again.ended(), 3 * 14 - 14);
+    EXPECT_EQ(repetitions(disturbed, again), 0);
+    EXPECT_EQ(files(out), 14 * 4) << "one file for each event and one for each design";
+    if (jobs == 1) {
+      EXPECT_EQ(records(out), records("calm"));
+    }
+  }
+}
+
+TEST_F(SearchLoop, LogHoldsEveryEventAndTheirStatistics) {
+  Json json = fake_study_with_scenarios();
+  json["objectives"][0]["statistic"] = "quantile";
+  json["objectives"][0]["quantile"] = 0.8;
+  run(parsed(json), "out", FakeSimulator(), 2);
+  for (const auto& [id, line] : records("out")) {
+    const auto design = line["design"].get<designs::Design>();
+    const double a = scaled_angle(design), h = scaled_height(design);
+    ASSERT_EQ(line["scenarios"].size(), 3U);
+    EXPECT_EQ(line["scenarios"][2]["name"], "stiff");
+    EXPECT_EQ(line["scenarios"][2]["weight"], 0.2);
+    // 80 % of the events, by weight, are soft or usual: the quantile is the usual one's.
+    EXPECT_NEAR(line["objectives"][0]["value"].get<double>(), a * a + h * h + 0.1, 1e-12);
+    // 0.5 0.05 + 0.3 0.1 + 0.2 0.2
+    EXPECT_NEAR(line["metrics"]["barrier_1_peak_force_n_per_m"].get<double>(),
+                a * a + h * h + 0.095, 1e-12);
+    EXPECT_EQ(line["cpu_time_s"], 3.0);
+    const Json event = this->json("out", "evaluations/" + id + "-stiff.json");
+    EXPECT_EQ(event["format"], "parapet-simulation/1");
+    EXPECT_EQ(event["design"], line["design"]);
+  }
+}
+
+TEST_F(SearchLoop, FailedDesignsAreRecordedAndNeverRecommended) {
+  const FakeSimulator simulator(
+      {.delays = false,
+       .fails = [](const designs::Design& design) { return scaled_angle(design) < 0.4; },
+       .cancel_after = -1});
+  Json json = fake_study_with_scenarios();
+  json["method"]["starts"] =
+      Json::parse(R"([{"deflector_angle_deg": 6, "upstream_height_m": 0.05}])");
+  const auto summary = run(parsed(json), "out", simulator, 2);
+  int failed = 0;
+  for (const auto& [id, line] : records("out")) {
+    if (line["status"] != "failed") continue;
+    ++failed;
+    EXPECT_EQ(line["reason"], "scenario soft: it broke");
+    EXPECT_EQ(line["feasible"], false);
+  }
+  EXPECT_GE(failed, 1) << "the starting design is one";
+  ASSERT_FALSE(summary.pareto.empty());
+  for (const auto& record : summary.pareto) EXPECT_GE(scaled_angle(record.design), 0.4);
+}
+
+TEST_F(SearchLoop, EveryDesignFailingIsAFailedStudy) {
+  const FakeSimulator simulator({.delays = false,
+                                 .fails = [](const designs::Design&) { return true; },
+                                 .cancel_after = -1});
+  const auto summary = run(parsed(fake_study()), "out", simulator);
+  EXPECT_EQ(summary.state, StudyState::failed);
+  EXPECT_NE(summary.message.find("it broke"), std::string::npos) << summary.message;
+  EXPECT_FALSE(summary.best.has_value());
+  EXPECT_TRUE(summary.pareto.empty());
+}
+
+TEST_F(SearchLoop, InfeasibleDesignsAreNeitherBestNorInTheFront) {
+  Json json = fake_study();
+  // Only h <= 0.2 is feasible, and the front wants h = 0.
+  json["constraints"][1]["lower"] = 0.9;
+  const auto summary = run(parsed(json), "out", FakeSimulator(), 2);
+  int infeasible = 0;
+  for (const auto& [id, line] : records("out")) {
+    infeasible += line["feasible"].get<bool>() ? 0 : 1;
+  }
+  EXPECT_GE(infeasible, 1) << "nothing was tested";
+  ASSERT_TRUE(summary.best.has_value());
+  EXPECT_LE(scaled_height(summary.best->design), 0.2 + 1e-9);
+  const Json pareto = this->json("out", "pareto.json");
+  ASSERT_GE(pareto["designs"].size(), 1U);
+  for (const Json& one : pareto["designs"]) {
+    EXPECT_LE(scaled_height(one["design"].get<designs::Design>()), 0.2 + 1e-9);
+    for (const Json& constraint : one["constraints"]) EXPECT_EQ(constraint["satisfied"], true);
+  }
+}
+
+TEST_F(SearchLoop, BudgetOfProcessorTimeEndsTheSearch) {
+  Json json = fake_study();
+  json["method"]["max_cpu_time_s"] = 6.5;  // a simulation takes 1 s
+  const auto study = parsed(json);
+  for (const char* algorithm : {"BAYESIAN", "SOBOL", "COBYLA"}) {
+    Json with = json;
+    with["method"]["algorithm"] = algorithm;
+    const auto summary = run(parsed(with), algorithm, FakeSimulator());
+    EXPECT_EQ(summary.termination, "cpu_time_limit") << algorithm << ": " << summary.message;
+    EXPECT_EQ(summary.state, StudyState::done);
+    EXPECT_EQ(summary.evaluations, 7) << algorithm;
+    EXPECT_EQ(run(parsed(with), algorithm, FakeSimulator()).evaluations, 7) << "still used up";
+  }
+}
+
+TEST_F(SearchLoop, BudgetOfTimeEndsTheSearch) {
+  Json json = fake_study();
+  json["method"]["max_time_s"] = 1e-6;
+  const auto summary = run(parsed(json), "out", FakeSimulator(), 2);
+  EXPECT_EQ(summary.termination, "time_limit");
+  EXPECT_EQ(summary.evaluations, 0);
+}
+
+TEST_F(SearchLoop, DesignsFromOutsideAreToldBeforeTheSearchGoesOn) {
+  const auto study = parsed(fake_study());
+  Json json = fake_study();
+  json["method"]["algorithm"] = "LIST";
+  json["method"]["starts"] = Json::parse(R"([
+    {"deflector_angle_deg": 12, "upstream_height_m": 0.041},
+    {"deflector_angle_deg": 50, "upstream_height_m": 0.042}])");
+  run(parsed(json), "list", FakeSimulator());
+  for (const int jobs : {1, 3}) {
+    const std::string out = "out" + std::to_string(jobs);
+    run(study, out, FakeSimulator({.delays = false, .fails = {}, .cancel_after = 0}), jobs);
+    std::filesystem::copy_file(folder / "list/evaluations.jsonl",
+                               folder / (out + "/evaluations.jsonl"),
+                               std::filesystem::copy_options::overwrite_existing);
+    const FakeSimulator simulator({.delays = false, .fails = {}, .cancel_after = 6});
+    run(study, out, simulator, jobs);
+    const FakeSimulator again;
+    run(study, out, again, jobs);
+    EXPECT_EQ(records(out).size(), 14U) << "the two from outside count";
+    EXPECT_EQ(repetitions(simulator, again), 0);
+  }
+}
+
+}  // namespace
+}  // namespace parapet::test
