@@ -22,91 +22,6 @@ using designs::Json;
 constexpr double distinct_share = 0.05;  // of some variable's range, between alternatives
 constexpr std::size_t most_alternatives = 5;
 
-<<<<<<< HEAD
-=======
-Json optional_json(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-Json percent(const std::optional<double>& part, const std::optional<double>& whole) {
-  if (!part || !whole || *whole == 0.0) return nullptr;
-  return 100.0 * *part / std::abs(*whole);
-}
-
-Json constraint_json(const LoggedConstraint& constraint) {
-  const std::optional<double> margin = constraint.margin();
-  const std::optional<double> limit = constraint.nearer_limit();
-  const double size = limit && *limit != 0.0 ? std::abs(*limit) : 1.0;
-  Json json{{"name", constraint.name}};
-  if (!constraint.of.empty()) json[constraint.on_metric ? "metric" : "expression"] = constraint.of;
-  json["value"] = optional_json(constraint.value);
-  json["lower"] = optional_json(constraint.lower);
-  json["upper"] = optional_json(constraint.upper);
-  json["satisfied"] = constraint.satisfied;
-  json["margin"] = optional_json(margin);
-  json["margin_percent"] = percent(margin, limit);
-  json["active"] = constraint.satisfied && margin && *margin <= active_share * size;
-  return json;
-}
-
-Json objectives_json(const LoggedDesign& design) {
-  Json list = Json::array();
-  for (const LoggedObjective& objective : design.objectives) {
-    list.push_back({{"metric", objective.metric},
-                    {"goal", objective.goal},
-                    {"weight", objective.weight},
-                    {"value", optional_json(objective.value)},
-                    {"absent", objective.absent}});
-  }
-  return list;
-}
-
-Json variables_json(const StudyLog& log, const LoggedDesign& design) {
-  Json list = Json::array();
-  for (const LoggedVariable& variable : log.variables) {
-    const auto found = design.design.find(variable.name);
-    if (found == design.design.end()) continue;  // does not exist under the options taken
-    const double value = found->second;
-    const double near = at_bound_share * (variable.upper - variable.lower);
-    const char* bound = variable.choice              ? nullptr
-                        : value - variable.lower <= near   ? "lower"
-                        : variable.upper - value <= near ? "upper"
-                                                         : nullptr;
-    list.push_back({{"name", variable.name},
-                    {"value", value},
-                    {"lower", variable.lower},
-                    {"upper", variable.upper},
-                    {"at_bound", bound != nullptr ? Json(bound) : Json(nullptr)}});
-  }
-  return list;
-}
-
-Json design_json(const StudyLog& log, const LoggedDesign& design) {
-  Json json{{"id", design.id}, {"stage", design.stage}};
-  json["design"] = Json::object();
-  for (const LoggedVariable& variable : log.variables) {
-    const auto found = design.design.find(variable.name);
-    json["design"][variable.name] =
-        found == design.design.end() ? Json(nullptr) : Json(found->second);
-  }
-  json["variables"] = variables_json(log, design);
-  json["spacing_m"] = optional_json(design.spacing);
-  json["objective_scalar"] = optional_json(design.objective_scalar);
-  json["objectives"] = objectives_json(design);
-  json["constraints"] = Json::array();
-  for (const LoggedConstraint& constraint : design.constraints) {
-    json["constraints"].push_back(constraint_json(constraint));
-  }
-  json["metrics"] = Json::object();
-  json["metrics_absent"] = Json::object();
-  for (const solver::Metric& metric : design.metrics) {
-    json["metrics"][metric.key] = optional_json(metric.value);
-    if (!metric.value) json["metrics_absent"][metric.key] = metric.absent_reason;
-  }
-  return json;
-}
-
->>>>>>> loop
 /// Usable designs from best to worst: the feasible by objective, or the others by violation.
 std::vector<const LoggedDesign*> ranked(const StudyLog& log, bool feasible) {
   std::vector<const LoggedDesign*> list;
@@ -124,19 +39,12 @@ std::vector<const LoggedDesign*> ranked(const StudyLog& log, bool feasible) {
 
 bool distinct(const StudyLog& log, const LoggedDesign& a, const LoggedDesign& b) {
   return std::ranges::any_of(log.variables, [&](const LoggedVariable& variable) {
-<<<<<<< HEAD
     const auto one = a.design.find(variable.name), other = b.design.find(variable.name);
     if (one == a.design.end() || other == b.design.end()) {
       return (one == a.design.end()) != (other == b.design.end());
     }
     const double apart = std::abs(one->second - other->second);
     if (variable.choice()) return apart > 0.0;
-=======
-    const auto in_a = a.design.find(variable.name), in_b = b.design.find(variable.name);
-    const bool absent_in_a = in_a == a.design.end(), absent_in_b = in_b == b.design.end();
-    if (absent_in_a || absent_in_b) return absent_in_a != absent_in_b;
-    const double apart = std::abs(in_a->second - in_b->second);
->>>>>>> loop
     return apart >= distinct_share * (variable.upper - variable.lower) && apart > 0.0;
   });
 }

@@ -71,10 +71,7 @@ Json fit_json(const StudyLog& log, const std::string& metric) {
     if (!value || !std::isfinite(*value)) continue;
     std::vector<double> row;
     for (const LoggedVariable& variable : log.variables) {
-      // A variable that does not exist in a design cannot have moved anything: its middle.
-      const auto found = design.design.find(variable.name);
-      row.push_back(found == design.design.end() ? 0.5 * (variable.lower + variable.upper)
-                                                 : found->second);
+      row.push_back(design.design.at(variable.name));
     }
     x.push_back(std::move(row));
     y.push_back(*value);

@@ -37,8 +37,9 @@ std::string constraint_words(const Json& constraint) {
   const std::string metric = text_at(constraint, "metric");
   const std::string name = text_at(constraint, "name");
   std::string words =
-      metric.empty() ? "`" + text_at(constraint, "expression") + "`" : quantity(metric).words;
-  if (!name.empty() && name != metric) words = name + ": " + words;
+      metric.empty() ? fmt::format("`{}`", text_at(constraint, "expression"))
+                     : quantity(metric).words;
+  if (!name.empty() && name != metric) words = fmt::format("{}: {}", name, words);
   const auto lower = number_at(constraint, "lower"), upper = number_at(constraint, "upper");
   const auto limit = [&](const std::optional<double>& value) {
     return metric.empty() ? number_text(value) : with_unit(value, metric);
@@ -122,7 +123,7 @@ std::string study_section(const Json& json) {
     text +=
         fmt::format("- to be {}d: {}{}\n", text_of(objective["goal"]), objective_label(objective),
                     objective.contains("expression") && objective["expression"] != objective["name"]
-                        ? " = `" + text_of(objective["expression"]) + "`"
+                        ? fmt::format(" = `{}`", text_of(objective["expression"]))
                         : "");
   }
   const bool several = study["scenarios"].size() > 1;
