@@ -39,6 +39,7 @@ std::string estimates_table(const Json& best) {
   for (const Json& objective : best["estimates"]) {
     const auto value = value_of(objective["value"]), lower = value_of(objective["lower_95"]),
                upper = value_of(objective["upper_95"]);
+    if (objective.contains("expression")) continue;  // a formula, known exactly
     any = any || lower;
     const char* place = !lower || !upper || !value             ? "-"
                         : *value >= *lower && *value <= *upper ? "within the interval"

@@ -66,13 +66,17 @@ Json spreads_json(const LoggedDesign& pick, const std::vector<const LoggedDesign
     if (values.size() > 1) list.push_back(spread_json(name, of, std::move(values)));
   };
   for (std::size_t j = 0; j < pick.objectives.size(); ++j) {
+    if (!pick.objectives[j].on_metric) continue;
     add(pick.objectives[j].metric, pick.objectives[j].of, [j](const LoggedDesign& design) {
       return j < design.objectives.size() ? design.objectives[j].value : std::nullopt;
     });
   }
   for (std::size_t k = 0; k < pick.constraints.size(); ++k) {
     const LoggedConstraint& constraint = pick.constraints[k];
-    if (!constraint.on_metric) continue;
+    const auto same = [&](const LoggedObjective& objective) {
+      return objective.of == constraint.of && objective.statistic == constraint.statistic;
+    };
+    if (!constraint.on_metric || std::ranges::any_of(pick.objectives, same)) continue;
     add(constraint.name, constraint.of, [k](const LoggedDesign& design) {
       return k < design.constraints.size() ? design.constraints[k].value : std::nullopt;
     });
@@ -129,11 +133,14 @@ Json confirmation_json(const StudyLog& log, const Confirmed& confirmed) {
             {"runs", Json::array()},
             {"spread", Json::array()},
             {"refuted", Json::array()}};
-  std::vector<const LoggedDesign*> near;
+  std::vector<const LoggedDesign*> runs, near;
   for (const LoggedDesign& run : log.confirmations) {
-    if (!confirms(run.id, pick.id)) continue;
-    json["runs"].push_back(run_json(run));
-    if (run.stage == confirmation_stage::near && run.ok) near.push_back(&run);
+    if (confirms(run.id, pick.id)) runs.push_back(&run);
+  }
+  std::ranges::sort(runs, {}, &LoggedDesign::id);  // the file has the order in which they ended
+  for (const LoggedDesign* run : runs) {
+    json["runs"].push_back(run_json(*run));
+    if (run->stage == confirmation_stage::near && run->ok) near.push_back(run);
   }
   json["spread"] = spreads_json(pick, near);
   for (const Candidate* candidate : confirmed.refuted) {

@@ -79,17 +79,20 @@ std::string score_knee(Choice& choice) {
     choice.front[k].score = -distance;
   }
   for (const std::size_t end : knee.ends) ends.push_back(choice.front[end].design->id);
-  const bool line = knee.ends.size() == 2;
-  std::string words = fmt::format(
+  const std::string scaled =
       "The knee of the front: each objective is scaled to 0 at its best and 1 at its worst value "
-      "on the front; the design is taken that lies farthest, towards the best values, from the {} "
-      "through ",
-      line ? "line" : "plane");
-  words += knee.through_ends
-               ? fmt::format("the ends of the front (the designs best in each objective: {}).",
-                             joined(ends))
-               : "the points where one objective is at its worst and the others at their best (the "
-                 "ends of this front span no plane of their own).";
+      "on the front; ";
+  std::string words =
+      knee.through_ends
+          ? fmt::format(
+                "{}the design is taken that lies farthest, towards the best values, from "
+                "the {} through the ends of the front (the designs best in each objective: "
+                "{}).",
+                scaled, knee.ends.size() == 2 ? "line" : "plane", joined(ends))
+          : fmt::format(
+                "{}the design is taken whose worst objective is least bad (the designs best "
+                "in each objective, {}, span no plane to measure a distance from).",
+                scaled, joined(ends));
   if (choice.front.size() <= knee.ends.size()) {
     words +=
         " This front consists of its ends or less, so the rule tells little here: equal ones "

@@ -91,10 +91,11 @@ Knee knee_of(const std::vector<ObjectiveValues>& front) {
   for (std::size_t j = 0; j < front.front().size(); ++j) knee.ends.push_back(end_of(scaled, j));
   Eigen::VectorXd normal;
   knee.through_ends = plane_through(scaled, knee.ends, normal);
-  if (!knee.through_ends) {
-    normal = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(front.front().size()));
-  }
   for (const ObjectiveValues& point : scaled) {
+    if (!knee.through_ends) {
+      knee.distance.push_back(1.0 - *std::ranges::max_element(point));
+      continue;
+    }
     const Eigen::Map<const Eigen::VectorXd> at(point.data(), normal.size());
     knee.distance.push_back((1.0 - normal.dot(at)) / normal.norm());
   }

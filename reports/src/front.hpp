@@ -22,15 +22,17 @@ FrontRange range_of(const std::vector<ObjectiveValues>& front);
 
 /// How far each point of a front bulges from the plane through its ends.
 struct Knee {
-  std::vector<double> distance;   ///< [n], in normalised units; positive towards the ideal
+  std::vector<double> distance;   ///< [n], in normalised units; more is better
   std::vector<std::size_t> ends;  ///< [n_objectives] the point best in each objective
-  bool through_ends = false;  ///< false: the ends span no plane that faces the ideal, so it is the
-                              ///< one through the points 1, 0, 0 ... of the normalised space
+  /// False: the ends span no plane that faces the ideal (one point is best in two objectives).
+  /// Then `distance` is 1 less the greatest normalised objective: how far the worst one is from its
+  /// worst value.
+  bool through_ends = false;
 };
 
 /// The distance of Das (Struct. Optim. 18 (1999) 107-115) from the convex hull of the individual
-/// minima, each objective over its range on the front. With two objectives it is
-/// (1 - x - y) / sqrt 2.
+/// minima, positive towards the ideal, each objective over its range on the front. With two
+/// objectives it is (1 - x - y) / sqrt 2.
 /// @param front [n][n_objectives], n >= 1, undominated
 Knee knee_of(const std::vector<ObjectiveValues>& front);
 

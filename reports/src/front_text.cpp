@@ -32,7 +32,7 @@ std::string front_table(const Json& json) {
   std::vector<std::string> heading{"design"};
   for (const Json& objective : front[0]["objectives"]) {
     heading.push_back(objective_label(objective));
-    if (estimates) heading.push_back("surrogate (95 %)");
+    if (estimates && !objective.contains("expression")) heading.push_back("surrogate (95 %)");
   }
   if (estimates) heading.push_back("meets the constraints");
   if (limits) heading.push_back("meets the limits");
@@ -46,7 +46,7 @@ std::string front_table(const Json& json) {
     std::vector<std::string> row{id == chosen ? fmt::format("**{}** (recommended)", id) : id};
     for (const Json& objective : design["objectives"]) {
       row.push_back(number_text(value_of(objective["value"])));
-      if (estimates) row.push_back(estimate_text(objective));
+      if (estimates && !objective.contains("expression")) row.push_back(estimate_text(objective));
     }
     if (estimates) row.push_back(share_text(design["probability_feasible"]));
     if (limits) row.push_back(share_text(design["probability_limits"]));

@@ -37,11 +37,11 @@ std::string opening_without_pick(const Json& json) {
 std::string certainty(const Json& json) {
   const std::string verdict = text_of(json["confirmation"]["verdict"]);
   const std::size_t runs = json["confirmation"]["runs"].size();
-  std::string text = verdict == "confirmed"
-                         ? fmt::format("- simulated again ({} runs): it held\n", runs)
-                     : verdict == "refuted"
-                         ? fmt::format("- **simulated again ({} runs): it did not hold**\n", runs)
-                         : "- not simulated again: its scatter is not known\n";
+  const std::string times = fmt::format("{} run{}", runs, runs == 1 ? "" : "s");
+  std::string text =
+      verdict == "confirmed" ? fmt::format("- simulated again ({}): it held\n", times)
+      : verdict == "refuted" ? fmt::format("- **simulated again ({}): it did not hold**\n", times)
+                             : "- not simulated again: its scatter is not known\n";
   if (const auto share = value_of(json["recommended"]["probability_feasible"])) {
     text +=
         fmt::format("- probability that it meets every constraint, by the surrogate: {:.0f} %\n",

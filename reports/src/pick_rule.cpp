@@ -1,5 +1,8 @@
 #include "parapet/reports/pick_rule.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -92,6 +95,22 @@ PickRule parse_pick_rule(const std::string& rule, const std::string& weights,
   if (by_weights) result.weights = parse_weights(weights);
   for (const std::string& limit : limits) result.limits.push_back(parse_limit(limit));
   return result;
+}
+
+std::string command_line(const PickRule& rule) {
+  std::string text;
+  if (rule.kind == RuleKind::best) text = " --rule best";
+  if (rule.kind == RuleKind::knee) text = " --rule knee";
+  for (const auto& [name, weight] : rule.weights) {
+    text +=
+        fmt::format("{}{}={:g}", text.empty() ? " --rule weights --weights " : ",", name, weight);
+  }
+  for (const ObjectiveLimit& limit : rule.limits) {
+    text += text.empty() ? " --rule limits" : "";
+    text += limit.upper ? fmt::format(" --limit \"{}<={:g}\"", limit.objective, *limit.upper)
+                        : fmt::format(" --limit \"{}>={:g}\"", limit.objective, *limit.lower);
+  }
+  return text;
 }
 
 }  // namespace parapet::reports

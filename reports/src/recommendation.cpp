@@ -136,12 +136,13 @@ Json definitions_json(const StudyLog& log) {
   return json;
 }
 
-Json reproduce_json(const StudyLog& log, const LoggedDesign& design) {
+Json reproduce_json(const StudyLog& log, const PickRule& rule, const LoggedDesign& design) {
   const Json values = written_design(log, design);
   std::string evaluate = fmt::format("parapet evaluate SPEC.json --design '{}'", values.dump());
   if (design.spacing) evaluate += fmt::format(" --spacing-mm {:g}", 1000.0 * *design.spacing);
   return {{"evaluate", evaluate},
-          {"optimize", "parapet optimize SPEC.json"},
+          {"optimize", "parapet optimize SPEC.json --out STUDY_DIR"},
+          {"recommend", "parapet recommend STUDY_DIR" + command_line(rule)},
           {"spec",
            "SPEC.json is the study's spec; study.json holds it with every default under "
            "/spec"},
@@ -220,7 +221,7 @@ Recommendation recommend(const std::filesystem::path& study_dir, const PickRule&
   json["failed"] = failed_json(log);
   json["caveats"] = caveats_json(log, best, best != nullptr ? variables_json(log, *best) : Json());
   const LoggedDesign* shown = best != nullptr ? best : nearest;
-  json["reproduce"] = shown != nullptr ? reproduce_json(log, *shown) : Json(nullptr);
+  json["reproduce"] = shown != nullptr ? reproduce_json(log, rule, *shown) : Json(nullptr);
   json["definitions"] = definitions_json(log);
   out.markdown = recommendation_text(json);
   return out;

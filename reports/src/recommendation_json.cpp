@@ -162,7 +162,9 @@ Json estimates_json(const Candidate& candidate) {
     one["value"] = optional_json(objective.value);
     for (const char* key : {"estimate", "lower_95", "upper_95"}) {
       const Json::json_pointer place = Json::json_pointer("/objectives") / j / key;
-      one[key] = candidate.view.contains(place) ? candidate.view.at(place) : Json(nullptr);
+      // A formula is known exactly: there is nothing to estimate.
+      one[key] = objective.on_metric && candidate.view.contains(place) ? candidate.view.at(place)
+                                                                       : Json(nullptr);
     }
     list.push_back(std::move(one));
   }

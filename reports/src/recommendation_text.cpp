@@ -228,9 +228,10 @@ std::string closing(const Json& json) {
   for (const Json& caveat : json["caveats"]) text += "- " + text_of(caveat) + "\n";
   const Json& reproduce = json["reproduce"];
   if (reproduce.is_null()) return text;
-  text += fmt::format("\n## How to repeat it\n\n```\n{}\n{}\n```\n\n{}. Hash of the spec: `{}`.\n",
-                      text_of(reproduce["evaluate"]), text_of(reproduce["optimize"]),
-                      text_of(reproduce["spec"]), text_of(reproduce["spec_hash"]));
+  text += fmt::format(
+      "\n## How to repeat it\n\n```\n{}\n{}\n{}\n```\n\n{}. Hash of the spec: `{}`.\n",
+      text_of(reproduce["optimize"]), text_of(reproduce["recommend"]),
+      text_of(reproduce["evaluate"]), text_of(reproduce["spec"]), text_of(reproduce["spec_hash"]));
   if (reproduce["provenance"].is_object()) {
     text += "\n| made with | |\n|---|---|\n";
     for (const auto& [key, value] : reproduce["provenance"].items()) {

@@ -21,7 +21,7 @@ std::optional<double> number(const Json& objective, const char* key) {
 
 /// Bars from the lower to the upper end of the surrogate's interval, across the estimate.
 PlotSeries interval_bars(const Json& front, std::size_t a, std::size_t b) {
-  PlotSeries bars{.label = "surrogate, 95 % interval", .x = {}, .y = {}, .color = 7};
+  PlotSeries bars{.label = "surrogate, 95 % interval", .x = {}, .y = {}, .color = 5};
   const auto add = [&](double x0, double y0, double x1, double y1) {
     bars.x.insert(bars.x.end(), {x0, x1, gap});
     bars.y.insert(bars.y.end(), {y0, y1, gap});

@@ -36,9 +36,8 @@ std::string variable_words(const Json& variable) {
 std::string constraint_words(const Json& constraint) {
   const std::string metric = text_at(constraint, "metric");
   const std::string name = text_at(constraint, "name");
-  std::string words =
-      metric.empty() ? fmt::format("`{}`", text_at(constraint, "expression"))
-                     : quantity(metric).words;
+  std::string words = metric.empty() ? fmt::format("`{}`", text_at(constraint, "expression"))
+                                     : quantity(metric).words;
   if (!name.empty() && name != metric) words = fmt::format("{}: {}", name, words);
   const auto lower = number_at(constraint, "lower"), upper = number_at(constraint, "upper");
   const auto limit = [&](const std::optional<double>& value) {

@@ -49,7 +49,8 @@ TEST(Front, EndsThatSpanNoPlaneAreSaid) {
   const Points points{{0, 0, 1}, {1, 1, 0}, {0.5, 0.5, 0.2}};
   const Knee knee = knee_of(points);
   EXPECT_FALSE(knee.through_ends);
-  EXPECT_NEAR(knee.distance[2], (1.0 - 1.2) / std::sqrt(3.0), 1e-12) << "from x + y + z = 1";
+  EXPECT_NEAR(knee.distance[0], 0.0, 1e-12) << "an end is at its worst somewhere";
+  EXPECT_NEAR(knee.distance[2], 1.0 - 0.5, 1e-12) << "its worst objective is half way";
 }
 
 TEST(Front, OnePointIsItsOwnKnee) {

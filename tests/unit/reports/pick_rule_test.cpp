@@ -31,6 +31,15 @@ TEST(PickRule, ReadsWeightsAndLimits) {
   EXPECT_EQ(parse_pick_rule("", "", {}).kind, RuleKind::automatic);
 }
 
+TEST(PickRule, IsWrittenAsItIsRead) {
+  EXPECT_EQ(command_line(parse_pick_rule("", "", {})), "");
+  EXPECT_EQ(command_line(parse_pick_rule("knee", "", {})), " --rule knee");
+  EXPECT_EQ(command_line(parse_pick_rule("", "b=1,a=0.5", {})),
+            " --rule weights --weights a=0.5,b=1");
+  EXPECT_EQ(command_line(parse_pick_rule("", "", {"a<=0.1", "b>=2"})),
+            " --rule limits --limit \"a<=0.1\" --limit \"b>=2\"");
+}
+
 TEST(PickRule, NamesTheOptionThatIsWrong) {
   for (const auto& [said, wanted] : std::vector<std::pair<std::string, std::string>>{
            {refusal("nearest", "", {}), "--rule"},

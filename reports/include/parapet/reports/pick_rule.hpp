@@ -38,6 +38,9 @@ struct PickRule {
 PickRule parse_pick_rule(const std::string& rule, const std::string& weights,
                          const std::vector<std::string>& limits);
 
+/// The options that give the rule, each with a space before it; empty for the default.
+std::string command_line(const PickRule& rule);
+
 /// A design in the order of preference.
 struct Pick {
   std::string id;
