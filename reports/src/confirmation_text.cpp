@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "markdown.hpp"
 #include "parapet/reports/confirmation.hpp"
 #include "quantity.hpp"
@@ -92,6 +95,14 @@ std::string runs_table(const Json& json) {
   return table(rows, alignment);
 }
 
+/// What is rounding alone counts as none.
+std::string deviation_text(const Json& spread) {
+  const double deviation = spread["standard_deviation"].get<double>();
+  const double size =
+      std::max(std::abs(spread["least"].get<double>()), std::abs(spread["greatest"].get<double>()));
+  return deviation <= 1e-12 * size ? "0" : fmt::format("{:.2g}", deviation);
+}
+
 std::string spread_text(const Json& spread) {
   if (spread.empty()) return "";
   std::vector<std::vector<std::string>> rows{{"quantity", "runs", "least", "greatest", "s.d."}};
@@ -99,8 +110,7 @@ std::string spread_text(const Json& spread) {
     const std::string metric = text_of(one["metric"]), name = text_of(one["name"]);
     rows.push_back({fmt::format("{}{}", quantity(name).words, bracketed(metric)),
                     std::to_string(one["runs"].get<int>()), number_text(value_of(one["least"])),
-                    number_text(value_of(one["greatest"])),
-                    fmt::format("{:.2g}", one["standard_deviation"].get<double>())});
+                    number_text(value_of(one["greatest"])), deviation_text(one)});
   }
   return "The design and those near it differ by half a per cent of each variable's range, which "
          "no site work could tell apart: what lies between them is the scatter of the answer, and "
@@ -119,6 +129,36 @@ std::string refuted_text(const Json& confirmation) {
         names.empty() ? " (a simulation failed)" : ": " + joined(names) + " was violated");
   }
   return text;
+}
+
+/// Ids of the confirmation's runs that lie outside the rule's limits on objectives.
+std::vector<std::string> runs_outside_limits(const Json& json) {
+  std::vector<std::string> ids;
+  const Json& objectives = json["recommended"]["objectives"];
+  for (const Json& run : json["confirmation"]["runs"]) {
+    bool outside = false;
+    for (const Json& limit : json["rule"]["limits"]) {
+      for (std::size_t j = 0; j < run["objectives"].size() && j < objectives.size(); ++j) {
+        const bool meant = objectives[j]["name"] == limit["objective"] ||
+                           objectives[j]["metric"] == limit["objective"];
+        const auto value = value_of(run["objectives"][j]);
+        if (!meant || !value) continue;
+        outside = outside || *value > value_of(limit["upper"]).value_or(*value) ||
+                  *value < value_of(limit["lower"]).value_or(*value);
+      }
+    }
+    if (outside) ids.push_back(text_of(run["id"]));
+  }
+  return ids;
+}
+
+std::string limits_text(const Json& json) {
+  const std::vector<std::string> ids = runs_outside_limits(json);
+  if (ids.empty()) return "";
+  return fmt::format(
+      "**The rule's limits on objectives do not hold in every run**: {} lie{} outside. They chose "
+      "the design and are no constraints of the study, so this does not refute it.\n\n",
+      joined(ids), ids.size() == 1 ? "s" : "");
 }
 
 std::string verdict_text(const Json& json) {
@@ -154,7 +194,7 @@ std::string confirmation_section(const Json& json) {
   std::string text =
       "## How sure\n\n" + probability_text(json["recommended"], json["rule"]) + "\n\n";
   text += estimates_table(json["recommended"]);
-  text += refuted_text(json["confirmation"]) + verdict_text(json);
+  text += refuted_text(json["confirmation"]) + verdict_text(json) + limits_text(json);
   if (!json["confirmation"]["runs"].empty()) {
     text += runs_table(json) + spread_text(json["confirmation"]["spread"]);
   }

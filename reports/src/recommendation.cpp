@@ -164,8 +164,15 @@ Json candidates_json(const StudyLog& log, const std::vector<Candidate>& list) {
   return json;
 }
 
-Json rule_json(const Choice& choice) {
+Json rule_json(const Choice& choice, const PickRule& rule) {
+  Json limits = Json::array();
+  for (const ObjectiveLimit& limit : rule.limits) {
+    limits.push_back({{"objective", limit.objective},
+                      {"lower", optional_json(limit.lower)},
+                      {"upper", optional_json(limit.upper)}});
+  }
   return {{"name", to_string(choice.kind)},
+          {"limits", limits},
           {"words", choice.words},
           {"all_doubtful", choice.all_doubtful},
           {"allows_none", choice.ranked.empty() && !choice.front.empty()}};
@@ -203,7 +210,7 @@ Recommendation recommend(const std::filesystem::path& study_dir, const PickRule&
   Json& json = out.json;
   json["format"] = "parapet-recommendation/1";
   json["study"] = study_json(log);
-  json["rule"] = rule_json(choice);
+  json["rule"] = rule_json(choice, rule);
   json["feasible"] = out.feasible;
   json["recommended"] = recommended_json(log, confirmed);
   json["confirmation"] = confirmation_json(log, confirmed);

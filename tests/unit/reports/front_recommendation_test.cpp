@@ -254,6 +254,15 @@ TEST_F(TradeOff, AConfirmedPickStatesItsScatter) {
   EXPECT_TRUE(says(result, "**Confirmed**"));
 }
 
+TEST_F(TradeOff, ARunOutsideTheRulesLimitsIsSaid) {
+  add_front();
+  confirm("0002", "near-1", confirmation_stage::near, 0.92, 0.14, 60.0);
+  confirm("0002", "near-2", confirmation_stage::near, 0.88, 0.10, 70.0);
+  const Recommendation result = recommended(parse_pick_rule("", "", {"reach_m<=0.13"}));
+  EXPECT_EQ(result.json["recommended"]["id"], "0002");
+  EXPECT_TRUE(says(result, "0002-near-1 lies outside")) << result.markdown;
+}
+
 TEST_F(TradeOff, ARefutedPickGivesWayToTheNext) {
   add_front();
   confirm("0002", "near-1", confirmation_stage::near, 0.90, 0.12, 120.0);
