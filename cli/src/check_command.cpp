@@ -31,9 +31,12 @@ std::string describe(const std::string& argument) {
   if (auto issues = study::method_issues(study); !issues.empty()) {
     throw designs::InputError(std::move(issues));
   }
-  return fmt::format("study, {}, {}, {}", counted(study.variables.size(), "variable"),
-                     counted(study.objectives.size(), "objective"),
-                     counted(study.constraints.size(), "constraint"));
+  std::string text = fmt::format("study, {}, {}, {}", counted(study.variables.size(), "variable"),
+                                 counted(study.objectives.size(), "objective"),
+                                 counted(study.constraints.size(), "constraint"));
+  if (!study.scenarios.empty()) text += ", " + counted(study.scenarios.size(), "scenario");
+  if (study.fidelity.size() > 1) text += ", " + counted(study.fidelity.size(), "spacing");
+  return text;
 }
 
 int check_command(const Session& session, const std::vector<std::string>& files) {

@@ -66,8 +66,7 @@ designs::StudySpec read_study(const std::string& argument, std::optional<double>
   if (!spacing_mm) return study;
   Json json = study.resolved;
   json["case"]["numerics"]["spacing_m"] = metres(*spacing_mm);
-  // One level, of which nothing is known.
-  json["fidelity"] = Json::object();
+  json["fidelity"] = Json::object();  // one level, of which nothing is known
   json["fidelity"]["spacings_m"] = Json::array({metres(*spacing_mm)});
   return designs::parse_study(json, document.file + " with --spacing-mm");
 }

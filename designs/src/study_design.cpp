@@ -33,14 +33,22 @@ std::string allowed_text(const Variable& variable) {
   if (variable.kind == VariableKind::choice) {
     return "one of the options " + joined(names_of(variable.options), "\"");
   }
-  std::string text = variable.kind == VariableKind::integer ? "a whole number" : "a number";
-  text += " from " + Json(variable.lower).dump() + " to " + Json(variable.upper).dump();
+  const bool whole = variable.kind == VariableKind::integer;
+  const auto bound = [&](double value) {
+    return whole ? std::to_string(static_cast<long long>(value)) : Json(value).dump();
+  };
+  std::string text = whole ? "a whole number from " : "a number from ";
+  text += bound(variable.lower) + " to " + bound(variable.upper);
   const std::string_view unit = unit_symbol(variable.name);
   if (!unit.empty()) text.append(" [").append(unit).append("]");
   return text;
 }
 
-/// "a", or "b" for `deflector` in words.
+std::string option_numbers(const Variable& choice) {
+  return "a whole number from 0 to " + std::to_string(choice.options.size() - 1);
+}
+
+/// `deflector "plate" or "big"`.
 std::string condition_text(const std::vector<Variable>& variables, const ActiveWhen& condition) {
   const Variable* choice = find_variable(variables, condition.choice);
   std::string text;
@@ -180,7 +188,7 @@ void require_structure(const StudySpec& study, const Design& design) {
     if (variable->kind != VariableKind::choice) continue;
     const std::string problem = value_problem(*variable, value);
     if (!problem.empty()) {
-      throw fail(problem, "a whole number from 0 to " + Json(variable->upper).dump());
+      throw fail(problem, option_numbers(*variable));
     }
   }
 }
@@ -220,9 +228,8 @@ std::vector<InputIssue> check_design(const StudySpec& study, const Design& desig
                  const std::string problem = value_problem(variable, value);
                  if (problem.empty()) return value;
                  findings.add(place, problem,
-                              variable.kind == VariableKind::choice
-                                  ? "a whole number from 0 to " + Json(variable.upper).dump()
-                                  : allowed_text(variable));
+                              variable.kind == VariableKind::choice ? option_numbers(variable)
+                                                                    : allowed_text(variable));
                  return std::nullopt;
                });
   return findings.issues();

@@ -1,6 +1,8 @@
 // parapet optimize, recommend and table3 on tiny specs.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "program_runner.hpp"
 #include "tiny_specs.hpp"
 
@@ -73,11 +75,63 @@ TEST(Optimize, SeveralJobsLogTheSameDesignsUnderTheSameIds) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     designs.emplace_back();
     for (Json& line : log_lines(folder / out / "evaluations.jsonl")) {
-      line.erase("wall_time_s");
+      for (const char* key : {"wall_time_s", "cpu_time_s"}) line.erase(key);
       designs.back()[line["id"].get<std::string>()] = line;
     }
   }
   EXPECT_EQ(designs[0], designs[1]);
+}
+
+TEST(Optimize, SearchOverScenariosEndsWithATableOfTheFront) {
+  const TemporaryFolder folder;
+  folder.write("study.json", tiny_search().dump());
+  const Outcome outcome =
+      run_program(folder.path(), {"optimize", "study.json", "--jobs", "2", "--out", "out"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json pareto = Json::parse(file_text(folder / "out/pareto.json"));
+  EXPECT_EQ(pareto["format"], "parapet-pareto/1");
+  ASSERT_GE(pareto["designs"].size(), 1U);
+  EXPECT_EQ(Json::parse(file_text(folder / "out/surrogates.json"))["format"],
+            "parapet-surrogates/1");
+  for (const Json& design : pareto["designs"]) {
+    EXPECT_PRED_FORMAT2(IsSubstring, design["id"].get<std::string>(), outcome.out);
+    EXPECT_TRUE(design["objectives"][0]["lower_95"].is_number());
+    EXPECT_EQ(design["objectives"][1]["value"], design["objectives"][1]["estimate"])
+        << "a formula is known";
+  }
+  EXPECT_PRED_FORMAT2(IsSubstring, "barrier_1_peak_force_n_per_m", outcome.out);
+  EXPECT_PRED_FORMAT2(IsSubstring, "hypervolume", outcome.out);
+  EXPECT_PRED_FORMAT2(IsSubstring, "(search, 20 mm)", outcome.err);
+  for (const Json& line : log_lines(folder / "out/evaluations.jsonl")) {
+    double worst = 0.0;
+    for (const Json& scenario : line["scenarios"]) {
+      worst = std::max(worst, scenario["metrics"]["barrier_1_peak_force_n_per_m"].get<double>());
+    }
+    EXPECT_EQ(line["objectives"][0]["value"].get<double>(), worst);
+  }
+}
+
+TEST(Optimize, ChoiceBetweenDeflectorAndNoneIsSearched) {
+  const TemporaryFolder folder;
+  Json study = tiny_study();
+  study["constraints"].erase(0);
+  study["variables"] = Json::parse(R"({
+    "deflector": {"options": {"none": {"remove": ["/barriers/0/deflector"]}, "plate": {}}},
+    "deflector_angle_deg": {"lower": 0, "upper": 60, "active_when": {"deflector": "plate"}},
+    "upstream_height_m": {"lower": 0.04, "upper": 0.1}})");
+  study["method"] = Json::parse(R"({"algorithm": "BAYESIAN", "max_evaluations": 8})");
+  folder.write("study.json", study.dump());
+  const Outcome outcome =
+      run_program(folder.path(), {"optimize", "study.json", "--jobs", "2", "--out", "out"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::set<std::string> options;
+  for (const Json& line : log_lines(folder / "out/evaluations.jsonl")) {
+    options.insert(line["options"]["deflector"].get<std::string>());
+    EXPECT_EQ(line["design"].contains("deflector_angle_deg"),
+              line["options"]["deflector"] == "plate");
+  }
+  EXPECT_EQ(options, (std::set<std::string>{"none", "plate"}));
+  EXPECT_EQ(run_program(folder.path(), {"recommend", "out"}).exit_code, 0);
 }
 
 TEST(Optimize, EveryDesignFailingIsExitCodeOneWithALog) {

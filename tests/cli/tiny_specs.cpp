@@ -45,6 +45,20 @@ Json tiny_study() {
   return study;
 }
 
+Json tiny_search() {
+  Json study = tiny_study();
+  study["objectives"] = Json::parse(R"([
+    {"metric": "barrier_1_peak_force_n_per_m", "goal": "minimize", "statistic": "worst"},
+    {"name": "plate_m", "expression": "upstream_height_m + 0.04", "goal": "minimize"}])");
+  study["scenarios"] = Json::parse(R"([
+    {"name": "runny", "weight": 0.25, "set": {"yield_stress_pa": 40}},
+    {"name": "usual", "weight": 0.5, "set": {"yield_stress_pa": 90}},
+    {"name": "stiff", "weight": 0.25, "set": {"yield_stress_pa": 150}}])");
+  study["method"] = Json::parse(R"({"algorithm": "BAYESIAN", "max_evaluations": 12, "seed": 1,
+    "starts": [{"deflector_angle_deg": 30, "upstream_height_m": 0.06}]})");
+  return study;
+}
+
 Json tiny_sweep() {
   Json sweep = Json::parse(R"({
     "format": "parapet-sweep/1",

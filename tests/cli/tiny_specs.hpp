@@ -14,6 +14,9 @@ void make_unsolvable(designs::Json& case_json);
 /// Two variables of that case, a constraint that needs no simulation and one that does.
 designs::Json tiny_study();
 
+/// The same variables for the Bayesian search: two objectives, three scenarios, twelve designs.
+designs::Json tiny_search();
+
 /// Three rows of that case: "bare", "lifted" and "flat".
 designs::Json tiny_sweep();
 

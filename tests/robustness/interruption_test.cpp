@@ -80,6 +80,41 @@ TEST_F(Interruption, LargerBudgetContinuesTheStudy) {
   resume_and_compare("out");
 }
 
+// With one job, or a repeatable method, the search replays itself from the log.
+TEST(InterruptedSearch, KilledAgainAndAgainResumesToTheSameLog) {
+  for (const char* jobs : {"1", "3"}) {
+    const TemporaryFolder folder;
+    Json study = tiny_search();
+    study["method"]["repeatable"] = std::string(jobs) != "1";
+    folder.write("study.json", study.dump());
+    const auto command = [&](const std::string& out) {
+      return std::vector<std::string>{"optimize", "study.json", "--out", out, "--jobs", jobs};
+    };
+    const Outcome calm = run_program(folder.path(), command("calm"));
+    ASSERT_EQ(calm.exit_code, 0) << calm.err;
+    const auto log = folder / "out/evaluations.jsonl";
+    const auto simulations = [&] {
+      std::size_t count = 0;
+      if (!std::filesystem::exists(folder / "out/evaluations")) return count;
+      for (const auto& entry : std::filesystem::directory_iterator(folder / "out/evaluations")) {
+        if (entry.path().filename().string().find('-') != std::string::npos) ++count;
+      }
+      return count;
+    };
+    // In the middle of a design: a number of simulations that three do not divide.
+    for (const std::size_t ended : {2U, 10U, 22U}) {
+      RunningProgram program(folder.path(), command("out"));
+      EXPECT_TRUE(wait_until([&] { return program.ended() || simulations() >= ended; }));
+      program.send(SIGKILL);
+      program.wait();
+    }
+    ASSERT_LT(line_count(log), 12U) << "too late to disturb";
+    const Outcome resumed = run_program(folder.path(), command("out"));
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    EXPECT_EQ(records_in(log), records_in(folder / "calm/evaluations.jsonl")) << jobs << " jobs";
+  }
+}
+
 TEST(InterruptedSimulation, WritesNoResult) {
   const TemporaryFolder folder;
   Json spec = tiny_case();

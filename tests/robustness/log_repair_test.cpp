@@ -54,9 +54,31 @@ TEST(EvaluationLogFile, KeepsEveryBitOfEveryNumber) {
   ASSERT_EQ(log.records().size(), 1U);
   EXPECT_EQ(log.records().front().design, record.design);
   EXPECT_EQ(reports::to_json(log.records().front()), reports::to_json(record));
-  ASSERT_NE(log.find(record.design), nullptr);
+  ASSERT_NE(log.find(record.design, record.spacing), nullptr);
+  EXPECT_EQ(log.find(record.design, 2.0 * record.spacing), nullptr);
   record.design["d"] = std::nextafter(1.0 / 3.0, 1.0);
-  EXPECT_EQ(log.find(record.design), nullptr) << "the neighbouring double is another design";
+  EXPECT_EQ(log.find(record.design, record.spacing), nullptr)
+      << "the neighbouring double is another design";
+}
+
+TEST(EvaluationLogFile, KeepsScenariosOptionsAndCosts) {
+  EvaluationRecord record = sample(1);
+  const std::string plain = reports::to_json(record).dump();
+  for (const char* key : {"scenarios", "options", "cpu_time_s", "particle_steps"}) {
+    EXPECT_EQ(plain.find(key), std::string::npos) << key << " is written only when present";
+  }
+  record.options = {{"deflector", "plate"}};
+  record.cpu_time = 1.0 / 3.0;
+  record.particle_steps = 1e7;
+  record.scenarios = {{"soft", 0.25, true, "", record.metrics, 0.5, 0.1, 4e6},
+                      {"stiff", 0.75, false, "it broke", {}, 0.0, 0.0, 0.0}};
+  const auto json = reports::to_json(record);
+  const EvaluationRecord again = reports::record_from_json(designs::Json::parse(json.dump()));
+  EXPECT_EQ(reports::to_json(again).dump(), json.dump());
+  ASSERT_EQ(again.scenarios.size(), 2U);
+  EXPECT_EQ(again.scenarios[0].metrics[1].absent_reason, "no \"overflow\"\n");
+  EXPECT_EQ(again.scenarios[1].reason, "it broke");
+  EXPECT_EQ(again.options.at("deflector"), "plate");
 }
 
 // A crash may leave any number of bytes of the last line.

@@ -12,7 +12,12 @@ std::map<std::string, Json> records_in(const std::filesystem::path& log) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = text.find('\n', begin);
     Json record = Json::parse(text.substr(begin, end - begin));
-    record.erase("wall_time_s");
+    for (const char* key : {"wall_time_s", "cpu_time_s"}) record.erase(key);
+    if (record.contains("scenarios")) {
+      for (Json& scenario : record["scenarios"]) {
+        for (const char* key : {"wall_time_s", "cpu_time_s"}) scenario.erase(key);
+      }
+    }
     const std::string id = record["id"].get<std::string>();
     EXPECT_TRUE(records.emplace(id, std::move(record)).second) << id << " stands twice";
     begin = end + 1;
@@ -38,7 +43,8 @@ std::filesystem::path StudyTest::log_of(const std::string& out) const {
 Json StudyTest::summary_of(const std::string& out) const {
   Json summary = Json::parse(file_text(folder.path() / out / "summary.json"));
   for (const char* best : {"best", "starting_best"}) {
-    if (summary[best].is_object()) summary[best].erase("wall_time_s");
+    if (!summary[best].is_object()) continue;
+    for (const char* key : {"wall_time_s", "cpu_time_s"}) summary[best].erase(key);
   }
   summary.erase("elapsed_s");
   summary.erase("simulated_by_this_run");

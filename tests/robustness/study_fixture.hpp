@@ -30,7 +30,7 @@ class StudyTest : public ::testing::Test {
   TemporaryFolder folder;
 };
 
-/// Records by id, without their wall time.
+/// Records by id, without measured times.
 std::map<std::string, designs::Json> records_in(const std::filesystem::path& log);
 
 }  // namespace parapet::test

@@ -16,7 +16,7 @@ constexpr double inverse_sqrt_two = 0.707106781186547524400844362105;
 ///   E[max(0, Z - t)] = phi(t) - t (1 - Phi(t)) = phi(t) q(t),
 /// without the cancellation of that difference: q falls from 1 to 1/t^2 - 3/t^4 + ...
 ///
-/// Piecewise polynomials in 4 / (4 + t), a few nanoseconds per value; relative error below 1e-15
+/// Piecewise polynomials in 4 / (4 + t), a few nanoseconds per value; relative error below 2e-15
 /// (tests/optimizer/acquisition_normal_test.cpp).
 class ExcessFactor {
  public:

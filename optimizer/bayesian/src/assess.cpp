@@ -69,7 +69,7 @@ void add_log_feasible(Eigen::VectorXd& sum, const std::vector<Assessed>& designs
 
 std::vector<Assessed> Search::assessed() const {
   State& state = *state_;
-  state.models.update(state.told);
+  const Models& models = state.up_to_date();
   const Problem& problem = state.problem;
   std::vector<Assessed> designs;
   std::vector<Point> xs;
@@ -96,12 +96,12 @@ std::vector<Assessed> Search::assessed() const {
   if (designs.empty()) return designs;
   const Eigen::MatrixXd inputs = problem.space.features(xs);
   for (std::size_t m = 0; m < problem.metrics.size(); ++m) {
-    estimate(designs, m, problem.metrics[m], state.models.process(m), inputs);
+    estimate(designs, m, problem.metrics[m], models.process(m), inputs);
   }
   Eigen::VectorXd log_feasible = Eigen::VectorXd::Zero(inputs.rows());
   for (const Limit& limit : problem.limits) {
     add_log_feasible(log_feasible, designs, limit, problem.metrics[limit.metric],
-                     state.models.process(limit.metric), inputs);
+                     models.process(limit.metric), inputs);
   }
   for (std::size_t k = 0; k < designs.size(); ++k) {
     designs[k].probability_feasible = std::exp(log_feasible[static_cast<Eigen::Index>(k)]);

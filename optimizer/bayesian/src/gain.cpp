@@ -272,4 +272,18 @@ Eigen::VectorXd Gain::log_gain(const std::vector<Point>& xs) const {
   return result;
 }
 
+Eigen::VectorXd Gain::log_ignorance(const std::vector<Point>& xs) const {
+  const Given given = predict(xs);
+  Eigen::VectorXd result = given.log_success;
+  for (Eigen::Index k = 0; k < result.size(); ++k) {
+    const Point& x = xs[static_cast<std::size_t>(k)];
+    double largest = 0.0;
+    for (const ObjectiveView& view : objectives_) {
+      if (view.process != nullptr) largest = std::max(largest, given.deviations[view.metric][k]);
+    }
+    result[k] += 2.0 * std::log(largest) + acquisition::log_mean(log_feasible(given, k, x, true));
+  }
+  return result;
+}
+
 }  // namespace parapet::bayesian

@@ -49,6 +49,10 @@ class Gain {
   /// log of the expected gain [m] at designs that are not evaluated yet.
   Eigen::VectorXd log_gain(const std::vector<Point>& xs) const;
 
+  /// log of (largest variance of an objective, model units, times the probabilities of meeting the
+  /// limits and of success) [m].
+  Eigen::VectorXd log_ignorance(const std::vector<Point>& xs) const;
+
   /// The hypervolume of the front, mean over the draws, model units. To compare gains with.
   double mean_hypervolume() const { return mean_hypervolume_; }
 

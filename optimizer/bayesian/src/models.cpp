@@ -10,7 +10,8 @@ Models::Models(const Problem& problem, std::uint64_t seed)
       seed_(seed),
       layout_(problem.space.layout(static_cast<int>(problem.levels.size()))),
       processes_(problem.metrics.size()),
-      fitted_at_(problem.metrics.size(), 0) {}
+      fitted_at_(problem.metrics.size(), 0),
+      fits_(problem.metrics.size(), 0) {}
 
 bool Models::due(std::size_t n_data, std::size_t& fitted_at) const {
   constexpr std::size_t always_until = 30;
@@ -49,12 +50,15 @@ void Models::update_process(std::size_t metric, const std::vector<Told>& told) {
   options.transform = problem_.metrics[metric].transform;
   options.known_noise = problem_.metrics[metric].known_noise;
   options.seed = seed_ + 7919 * metric;
-  if (process) options.warm_start = process->parameters();
-  options.keep_parameters = process && !due(values.size(), fitted_at_[metric]);
+  const bool fits = !process || due(values.size(), fitted_at_[metric]);
   if (!process) fitted_at_[metric] = values.size();
-  // A wrong first fit must not be kept for ever: several starts again, at every fifth number of
-  // data.
-  options.starts = !process || values.size() % 5 == 0 ? 4 : 2;
+  // A start from the last fit keeps its kind of transform and its hill of the likelihood: every
+  // fifth fit forgets both.
+  const bool forgets = !process || (fits && fits_[metric] % 5 == 0);
+  if (!forgets) options.warm_start = process->parameters();
+  options.keep_parameters = !fits;
+  options.starts = forgets ? 4 : 2;
+  fits_[metric] += fits ? 1 : 0;
   process = surrogate::GaussianProcess::fit(layout_, data, options);
 }
 

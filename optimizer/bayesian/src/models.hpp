@@ -38,6 +38,7 @@ class Models {
   surrogate::Layout layout_;
   std::vector<std::optional<surrogate::GaussianProcess>> processes_;  // [n_metrics]
   std::vector<std::size_t> fitted_at_;                                // [n_metrics] data then
+  std::vector<int> fits_;                                             // [n_metrics] so far
   std::optional<surrogate::SuccessModel> success_;
   std::size_t success_fitted_at_ = 0;
 };

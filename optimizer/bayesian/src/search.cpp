@@ -110,13 +110,11 @@ const std::vector<HistoryEntry>& Search::history() const {
 }
 
 const surrogate::GaussianProcess* Search::surrogate(std::size_t metric) const {
-  state_->models.update(state_->told);
-  return state_->models.process(metric);
+  return state_->up_to_date().process(metric);
 }
 
 const surrogate::SuccessModel* Search::success_model() const {
-  state_->models.update(state_->told);
-  return state_->models.success();
+  return state_->up_to_date().success();
 }
 
 const Problem& Search::problem() const {

@@ -15,6 +15,10 @@ namespace {
 
 constexpr int screening_samples = 8;
 
+/// When the surrogates expect less than this share of the hypervolume, every other evaluation tests
+/// the surrogates themselves: few data may make them sure of too much.
+constexpr double share_that_doubts = 1e-4;
+
 }  // namespace
 
 Search::State::State(Problem the_problem, SearchOptions the_options)
@@ -79,6 +83,21 @@ void Search::State::update_history() {
       history.push_back(entry);
     }
   }
+}
+
+void Search::State::update_models() {
+  models.update(told);
+  modelled = told.size();
+}
+
+const Models& Search::State::up_to_date() {
+  if (modelled == told.size()) return models;
+  if (!view || viewed != told.size()) {
+    view.emplace(models);
+    view->update(told);
+    viewed = told.size();
+  }
+  return *view;
 }
 
 int Search::State::remaining() const {
@@ -187,9 +206,31 @@ std::optional<Suggestion> Search::State::ask() {
     stop = StopReason::stagnation;
     return std::nullopt;
   }
-  models.update(told);
+  update_models();
   if (!can_model()) return suggest_far_away();
   return suggest_gain();
+}
+
+/// Once may be a surrogate's mistake that the next answer mends; three times running counts.
+bool Search::State::gain_is_small(double expected, const Gain& gain) {
+  constexpr int times_that_count = 3;
+  if (options.least_gain <= 0.0 || !gain.any_feasible()) return false;
+  // The surrogate sees through noise to about a tenth of it; below that nothing can be learnt.
+  const double unseen = 0.1 * gain.noise_volume();
+  const double least = std::max(options.least_gain * gain.mean_hypervolume(), unseen);
+  small_gains = expected < least ? small_gains + 1 : 0;
+  return small_gains >= times_that_count;
+}
+
+/// The design of which the surrogates know least, weighed by the chances of success and
+/// feasibility.
+std::optional<Suggestion> Search::State::suggest_unknown(const Gain& gain, Candidates& candidates) {
+  std::vector<Point> xs = candidates.spread(512);
+  std::erase_if(xs, [&](const Point& x) { return repeated(x); });
+  if (xs.empty()) return std::nullopt;
+  Eigen::Index most = 0;
+  gain.log_ignorance(xs).maxCoeff(&most);
+  return issue(std::move(xs[static_cast<std::size_t>(most)]), 0, "explore", 0.0);
 }
 
 std::optional<Suggestion> Search::State::suggest_gain() {
@@ -222,11 +263,12 @@ std::optional<Suggestion> Search::State::suggest_gain() {
   auto best = maximize_gain(search, problem.space, candidates);
   if (!best) return nothing_left();
 
-  const double gained = std::exp(best->log_gain);
-  const double least = std::max(options.least_gain * gain.mean_hypervolume(), gain.noise_volume());
-  if (options.least_gain > 0.0 && gained < least && gain.any_feasible()) {
+  if (gain_is_small(std::exp(best->log_gain), gain)) {
     if (pending.empty()) stop = StopReason::small_gain;
     return std::nullopt;
+  }
+  if (std::exp(best->log_gain) < share_that_doubts * gain.mean_hypervolume() && next_id % 2 == 0) {
+    if (auto suggestion = suggest_unknown(gain, candidates)) return suggestion;
   }
   if (problem.levels.size() == 1) return issue(std::move(best->x), 0, "search", best->log_gain);
   // What was evaluated coarsely nearby is meant, to the bit: the levels share designs.

@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 
+#include "candidates.hpp"
 #include "gain.hpp"
 #include "models.hpp"
 #include "parapet/bayesian/search.hpp"
@@ -29,7 +30,13 @@ struct Search::State {
   bool planned = false;
   int next_id = 0;
   Models models;
+  /// Up to date with all that was told, for those who look; looking must not change what is asked
+  /// next.
+  std::optional<Models> view;
+  std::size_t viewed = 0;    // told then
+  std::size_t modelled = 0;  // told when `models` was last updated
   StopReason stop = StopReason::none;
+  int small_gains = 0;    // expected gains below the least, running
   double spent = 0.0;     // [s]
   double own_time = 0.0;  // [s]
   std::vector<HistoryEntry> history;
@@ -38,10 +45,13 @@ struct Search::State {
   void check_point(const Point& x, int level, const Observation& observation) const;
   int add_told(int id, const Point& x, int level, const Observation& observation);
   void update_history();
+  void update_models();
+  const Models& up_to_date();
 
   std::optional<Suggestion> ask();
   bool out_of_budget();
   bool stagnates() const;
+  bool gain_is_small(double expected, const Gain& gain);
   int remaining() const;
   std::vector<double> level_seconds() const;  // [n_levels], measured means where there are any
 
@@ -50,6 +60,7 @@ struct Search::State {
   bool can_model() const;
   std::optional<Suggestion> suggest_far_away();
   std::optional<Suggestion> suggest_gain();
+  std::optional<Suggestion> suggest_unknown(const Gain& gain, Candidates& candidates);
   std::optional<Suggestion> nothing_left();
   Suggestion issue(Point x, int level, std::string stage, double log_gain);
 

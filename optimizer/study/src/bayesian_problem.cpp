@@ -73,9 +73,14 @@ void set_bounds(const Quantity& quantity, bayesian::Metric& metric) {
 class MetricList {
  public:
   MetricList(const designs::StudySpec& study, SearchProblem& result)
-      : study_(study), result_(result) {}
+      : study_(study), result_(result), catalog_(solver::metric_catalog(barrier_count(study))) {}
 
-  std::size_t of(const Quantity& quantity) {
+  std::size_t of(Quantity quantity) {
+    // Where there is always a value, two goals differ in nothing by what they say of its absence.
+    if (!may_be_absent(quantity.metric)) {
+      quantity.absent_is_good = false;
+      quantity.value_when_absent.reset();
+    }
     auto& metrics = result_.metrics;
     for (std::size_t k = 0; k < metrics.size(); ++k) {
       if (metrics[k].expression.empty() && metrics[k].quantity == quantity) return k;
@@ -104,8 +109,20 @@ class MetricList {
   }
 
  private:
+  static int barrier_count(const designs::StudySpec& study) {
+    const auto found = study.base_case.find("barriers");
+    return found == study.base_case.end() ? 0 : static_cast<int>(found->size());
+  }
+
+  bool may_be_absent(const std::string& key) const {
+    const auto found = std::find_if(catalog_.begin(), catalog_.end(),
+                                    [&](const auto& info) { return info.key == key; });
+    return found == catalog_.end() || found->may_be_absent;
+  }
+
   const designs::StudySpec& study_;
   SearchProblem& result_;
+  std::vector<solver::MetricInfo> catalog_;
 };
 
 void add_objectives(const designs::StudySpec& study, MetricList& list, SearchProblem& result) {

@@ -84,9 +84,9 @@ std::string EvaluationPool::id_for(std::size_t number, const Proposal& proposal)
     if (!context_.folder.log().has_id(one.id) && ids_given_.insert(one.id).second) return one.id;
   }
   int k = static_cast<int>(number) + 1;
-  while (!context_.folder.id_is_free(reports::evaluation_id(k), proposal.design,
-                                     proposal.spacing) ||
-         !ids_given_.insert(reports::evaluation_id(k)).second) {
+  while (
+      !context_.folder.id_is_free(reports::evaluation_id(k), proposal.design, proposal.spacing) ||
+      !ids_given_.insert(reports::evaluation_id(k)).second) {
     ++k;
   }
   return reports::evaluation_id(k);
@@ -109,9 +109,8 @@ void EvaluationPool::launch(std::size_t number, const Proposal& proposal) {
       ended_ = true;
       return;
     } else {
-      flight->job =
-          std::make_unique<DesignJob>(context_, id_for(number, proposal), proposal.stage,
-                                      proposal.design, proposal.spacing);
+      flight->job = std::make_unique<DesignJob>(context_, id_for(number, proposal), proposal.stage,
+                                                proposal.design, proposal.spacing);
     }
   }
   if (known) {

@@ -87,8 +87,8 @@ class EvaluationPool {
   std::function<void()> after_answer_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 
-  std::mutex mutex_;         // guards the source and all below; taken before log_mutex_
-  std::mutex log_mutex_;     // guards the folder and the hook on_evaluated
+  std::mutex mutex_;      // guards the source and all below; taken before log_mutex_
+  std::mutex log_mutex_;  // guards the folder and the hook on_evaluated
   std::condition_variable changed_;
   std::deque<Task> queue_;
   std::vector<std::shared_ptr<Flight>> flights_;

@@ -125,8 +125,7 @@ std::vector<double> factor_levels(const designs::Variable& variable, int points)
   }
   for (int k = 0; k < points; ++k) {
     const double share = points == 1 ? 0.5 : static_cast<double>(k) / (points - 1);
-    const double value = k > 0 && k + 1 == points ? variable.upper
-                                                  : variable.lower + share * range;
+    const double value = k > 0 && k + 1 == points ? variable.upper : variable.lower + share * range;
     levels.push_back(whole ? std::round(value) : value);
   }
   return levels;

@@ -111,8 +111,7 @@ Json pareto_json(const designs::StudySpec& study, const Front& front, const Sear
          {"goal", objective.goal == designs::Goal::maximize ? "maximize" : "minimize"},
          {"reference", front.reference.empty() ? Json(nullptr) : Json(front.reference[j])}});
   }
-  const auto assessed =
-      search == nullptr ? std::vector<bayesian::Assessed>{} : search->assessed();
+  const auto assessed = search == nullptr ? std::vector<bayesian::Assessed>{} : search->assessed();
   json["designs"] = Json::array();
   for (const EvaluationRecord& record : front.designs) {
     const bayesian::Assessed* view =

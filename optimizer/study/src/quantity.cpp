@@ -192,8 +192,7 @@ std::string quantity_name(const Quantity& quantity) {
                          quantity.high_is_good ? "lowest" : "highest");
     case Statistic::quantile:
       return fmt::format("{} ({:g} % of the events {} or better)", quantity.metric,
-                         100.0 * quantity.quantile,
-                         quantity.high_is_good ? "so high" : "so low");
+                         100.0 * quantity.quantile, quantity.high_is_good ? "so high" : "so low");
     case Statistic::probability:
       break;
   }
@@ -217,14 +216,16 @@ std::vector<solver::Metric> mean_metrics(const std::vector<Event>& events) {
   std::vector<solver::Metric> means;
   for (const Event& event : events) {
     for (const solver::Metric& metric : event.metrics) {
-      const bool known =
-          std::any_of(means.begin(), means.end(),
-                      [&](const solver::Metric& mean) { return mean.key == metric.key; });
+      const bool known = std::any_of(means.begin(), means.end(), [&](const solver::Metric& mean) {
+        return mean.key == metric.key;
+      });
       if (known) continue;
-      const QuantityValue value = quantity_value(
-          {.metric = metric.key, .lower = {}, .upper = {}, .value_when_absent = {},
-           .absent_is_good = true},
-          events);
+      const QuantityValue value = quantity_value({.metric = metric.key,
+                                                  .lower = {},
+                                                  .upper = {},
+                                                  .value_when_absent = {},
+                                                  .absent_is_good = true},
+                                                 events);
       means.push_back({metric.key, value.value, value.value ? "" : value.reason});
     }
   }

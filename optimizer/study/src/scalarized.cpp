@@ -16,11 +16,9 @@ namespace {
 using optimizer::Termination;
 using reports::EvaluationRecord;
 
-/// Evenly spread points in the unit cube [count][n]: equal steps from end to end on a line.
+/// Point `number` of `count` spread over the inside of the unit cube [n]; on a line in equal steps.
 std::vector<double> spread(int number, int count, std::size_t n) {
-  if (n == 1) {
-    return {count == 1 ? 0.5 : static_cast<double>(number) / static_cast<double>(count - 1)};
-  }
+  if (n == 1) return {static_cast<double>(number + 1) / static_cast<double>(count + 1)};
   optimizer::SobolSequence sequence(static_cast<int>(n));
   std::vector<double> point;
   for (int k = 0; k <= number; ++k) point = sequence.next();
@@ -28,9 +26,8 @@ std::vector<double> spread(int number, int count, std::size_t n) {
 }
 
 /// Weights of sum 1, uniform over the simplex, from a point of the cube [n_objectives - 1]: the
-/// gaps between its sorted coordinates. No weight is 0: its objective would not count.
+/// gaps between its sorted coordinates.
 std::vector<double> simplex_weights(std::vector<double> u) {
-  constexpr double least = 0.02;
   std::sort(u.begin(), u.end());
   u.push_back(1.0);
   std::vector<double> weights;
@@ -39,8 +36,6 @@ std::vector<double> simplex_weights(std::vector<double> u) {
     weights.push_back(edge - before);
     before = edge;
   }
-  const double all = 1.0 + least * static_cast<double>(weights.size());
-  for (double& weight : weights) weight = (weight + least) / all;
   return weights;
 }
 
@@ -194,7 +189,8 @@ class Series {
   void run_one(int number, int count) {
     const std::size_t used = evaluator_.asked().size();
     const std::size_t left = budget() - used;
-    const std::size_t share = std::max<std::size_t>(1, left / static_cast<std::size_t>(count - number));
+    const std::size_t share =
+        std::max<std::size_t>(1, left / static_cast<std::size_t>(count - number));
     const auto evaluated = asked_records(context_, evaluator_);
     const Subproblem subproblem = make_subproblem(context_.study, evaluated, number, count);
     const Scalarizer scalarizer = scalarizer_of(context_.study, subproblem);
@@ -207,8 +203,8 @@ class Series {
       options.starts = {to_x(context_.study, start->design)};
       options.start_count = 0;
     }
-    const std::size_t limits = static_cast<std::size_t>(metric_limit_count(context_.study)) +
-                               subproblem.limits.size();
+    const std::size_t limits =
+        static_cast<std::size_t>(metric_limit_count(context_.study)) + subproblem.limits.size();
     const optimizer::OptimizeResult result =
         solve(context_, evaluator_, scalarizer, limits, options, used + share, "search");
     total_.cache_hits += result.cache_hits;
@@ -232,7 +228,7 @@ double Subproblem::scalar(const std::vector<double>& objectives) const {
   double largest = -std::numeric_limits<double>::infinity(), sum = 0.0;
   for (std::size_t j = 0; j < objectives.size(); ++j) {
     const double distance = (objectives[j] - ideal[j]) / range[j];
-    largest = std::max(largest, weights[j] * distance);
+    if (weights[j] > 0.0) largest = std::max(largest, weights[j] * distance);
     sum += distance;
   }
   return largest + augmentation * sum;
@@ -247,13 +243,18 @@ std::vector<double> Subproblem::violations(const std::vector<double>& objectives
 }
 
 Subproblem make_subproblem(const designs::StudySpec& study,
-                           const std::vector<EvaluationRecord>& evaluated, int number,
-                           int count) {
+                           const std::vector<EvaluationRecord>& evaluated, int number, int count) {
   const std::size_t n = study.objectives.size();
+  const auto ends = static_cast<int>(n) <= count ? static_cast<int>(n) : 0;
   Subproblem result;
-  result.kind = study.method.scalarization;
   set_ranges(evaluated, n, result);
-  const auto u = spread(number, count, n - 1);
+  if (number < ends) {
+    result.weights.assign(n, 0.0);
+    result.weights[static_cast<std::size_t>(number)] = 1.0;
+    return result;
+  }
+  result.kind = study.method.scalarization;
+  const auto u = spread(number - ends, count - ends, n - 1);
   if (result.kind == designs::Scalarization::epsilon_constraint) {
     for (std::size_t j = 1; j < n; ++j) {
       result.limits.push_back(result.ideal[j] + u[j - 1] * result.range[j]);

@@ -13,11 +13,12 @@ struct Subproblem {
   designs::Scalarization kind = designs::Scalarization::augmented_chebyshev;
   std::vector<double> ideal;    ///< [n_objectives] least values seen
   std::vector<double> range;    ///< [n_objectives] greatest minus least, > 0
-  std::vector<double> weights;  ///< [n_objectives], sum 1 (augmented Chebyshev)
+  std::vector<double> weights;  ///< [n_objectives], sum 1; one of them alone ends the front
   std::vector<double> limits;   ///< [n_objectives - 1] of f_1 ... (epsilon constraint)
 
   /// The scalar. Augmented Chebyshev (Steuer and Choo, Math. Program. 26 (1983) 326-344):
-  /// max_j w_j (f_j - ideal_j)/range_j + 0.05 sum_j (f_j - ideal_j)/range_j. Epsilon constraint
+  /// max_j w_j (f_j - ideal_j)/range_j + 0.05 sum_j (f_j - ideal_j)/range_j, the maximum over the
+  /// j with w_j > 0. Epsilon constraint
   /// (Haimes, Lasdon and Wismer, IEEE Trans. Syst. Man Cybern. 1 (1971) 296-297): f_0 / range_0.
   double scalar(const std::vector<double>& objectives) const;
 
@@ -25,7 +26,9 @@ struct Subproblem {
   std::vector<double> violations(const std::vector<double>& objectives) const;
 };
 
-/// Subproblem `number` of `count`, for the ranges of what was evaluated so far.
+/// Subproblem `number` of `count`, for the ranges of what was evaluated so far. With at least
+/// n_objectives of them the first ones look for the ends of the front, one objective each: before,
+/// the ranges are those of the starting designs only. The others are spread between the ends.
 Subproblem make_subproblem(const designs::StudySpec& study,
                            const std::vector<reports::EvaluationRecord>& evaluated, int number,
                            int count);

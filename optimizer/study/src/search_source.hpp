@@ -29,8 +29,8 @@ class SearchSource : public DesignSource {
  public:
   /// All must outlive the source.
   /// @param lag questions that may be open at once, >= 1; see AnswerOrder
-  SearchSource(const StudyContext& context, const SearchProblem& problem,
-               bayesian::Search& search, AnswerOrder order, std::size_t lag);
+  SearchSource(const StudyContext& context, const SearchProblem& problem, bayesian::Search& search,
+               AnswerOrder order, std::size_t lag);
 
   std::optional<Proposal> next() override;
   void answered(std::size_t number, const reports::EvaluationRecord& record) override;
@@ -52,12 +52,12 @@ class SearchSource : public DesignSource {
   bayesian::Search& search_;
   AnswerOrder order_;
   std::size_t lag_;
-  std::vector<bool> log_told_;        // records that the log held at the beginning
-  std::vector<UnfinishedDesign> unfinished_;  // still to be proposed, last first
+  std::vector<bool> log_told_;                 // records that the log held at the beginning
+  std::vector<UnfinishedDesign> unfinished_;   // still to be proposed, last first
   std::vector<std::optional<int>> questions_;  // the search's id by number; empty: not its question
   std::map<std::size_t, reports::EvaluationRecord> answers_;  // not told yet, by number
-  std::size_t open_ = 0;    // proposals without an answer
-  std::size_t told_ = 0;    // answers told in order
+  std::size_t open_ = 0;                                      // proposals without an answer
+  std::size_t told_ = 0;                                      // answers told in order
   std::size_t needed_ = 0;  // answers that must be told before the next question
 };
 

@@ -139,9 +139,8 @@ void StudyFolder::store_simulation(const std::string& id, const DesignRun& run, 
                                    const Json& provenance) const {
   const designs::Scenario* scenario = run.scenario(event);
   if (scenario == nullptr) return;
-  reports::write_file_atomically(
-      folder_ / "evaluations" / file_name_of(id, scenario->name, event),
-      reports::json_text(simulation_report(run, event, provenance)));
+  reports::write_file_atomically(folder_ / "evaluations" / file_name_of(id, scenario->name, event),
+                                 reports::json_text(simulation_report(run, event, provenance)));
 }
 
 const Simulation* StudyFolder::unfinished(const designs::Design& design, double spacing,

@@ -53,9 +53,8 @@ std::optional<StudySummary> pool_summary(PoolEnd end, const designs::Method& met
     case PoolEnd::cancelled:
       return interrupted();
     case PoolEnd::cpu_time:
-      return ended(
-          StudyState::done, "cpu_time_limit",
-          fmt::format("the processor time of {:g} s is used up", method.max_cpu_time_s));
+      return ended(StudyState::done, "cpu_time_limit",
+                   fmt::format("the processor time of {:g} s is used up", method.max_cpu_time_s));
     case PoolEnd::time:
       return ended(StudyState::done, optimizer::to_string(Termination::time_limit),
                    fmt::format("the time of {:g} s is up", method.max_time_s));
@@ -72,8 +71,8 @@ StudySummary stop_summary(bayesian::StopReason reason, const bayesian::Search& s
   };
   switch (reason) {
     case StopReason::budget:
-      return done(Termination::budget, fmt::format("the budget of {} evaluations is used up",
-                                                   search.evaluations()));
+      return done(Termination::budget,
+                  fmt::format("the budget of {} evaluations is used up", search.evaluations()));
     case StopReason::seconds:
       return done(Termination::budget, "the budget of processor time is used up");
     case StopReason::stagnation:
@@ -191,10 +190,9 @@ optimizer::OptimizeResult optimize_weighted_sum(const StudyContext& context,
 
 StudySummary search_nlopt(const StudyContext& context, int jobs) {
   StudyEvaluator evaluator(context, jobs);
-  const optimizer::OptimizeResult result =
-      search_kind(context.study) == SearchKind::scalarized
-          ? optimize_scalarized(context, evaluator)
-          : optimize_weighted_sum(context, evaluator);
+  const optimizer::OptimizeResult result = search_kind(context.study) == SearchKind::scalarized
+                                               ? optimize_scalarized(context, evaluator)
+                                               : optimize_weighted_sum(context, evaluator);
   evaluator.throw_if_failed();
   StudySummary summary = summary_of(result, evaluator.stopped());
   if (evaluator.out_of_cpu_time() && !context.cancelled()) {

@@ -85,12 +85,9 @@ Json space_json(const designs::StudySpec& study, const bayesian::Space& space) {
 }
 
 Json level_json(const surrogate::LevelParameters& level, double spacing) {
-  return {{"spacing_m", spacing},
-          {"length_scales", vector_json(level.length_scales)},
-          {"amplitude", level.amplitude},
-          {"noise", level.noise},
-          {"mean", level.mean},
-          {"coupling", level.coupling}};
+  return {{"spacing_m", spacing},         {"length_scales", vector_json(level.length_scales)},
+          {"amplitude", level.amplitude}, {"noise", level.noise},
+          {"mean", level.mean},           {"coupling", level.coupling}};
 }
 
 Json process_json(const surrogate::GaussianProcess& process, const SearchProblem& problem) {
@@ -109,12 +106,10 @@ Json process_json(const surrogate::GaussianProcess& process, const SearchProblem
                   {"values", vector_json(process.data().values)},
                   {"levels", process.data().levels}};
   const surrogate::LeaveOneOut left_out = process.leave_one_out();
-  json["leave_one_out"] = {{"mean", vector_json(left_out.mean)},
-                           {"lower_95", vector_json(left_out.lower)},
-                           {"upper_95", vector_json(left_out.upper)},
-                           {"residual", vector_json(left_out.residual)},
-                           {"q_squared", left_out.q_squared},
-                           {"coverage_95", left_out.coverage_95}};
+  json["leave_one_out"] = {
+      {"mean", vector_json(left_out.mean)},      {"lower_95", vector_json(left_out.lower)},
+      {"upper_95", vector_json(left_out.upper)}, {"residual", vector_json(left_out.residual)},
+      {"q_squared", left_out.q_squared},         {"coverage_95", left_out.coverage_95}};
   return json;
 }
 

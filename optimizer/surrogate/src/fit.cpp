@@ -25,7 +25,8 @@ struct Budget {
 Budget budget(Eigen::Index n) {
   if (n <= 60) return {40, 150};
   if (n <= 150) return {20, 80};
-  return {10, 40};
+  if (n <= 600) return {10, 40};
+  return {5, 25};
 }
 
 SmoothFunction negative(const MarginalLikelihood& likelihood) {

@@ -115,10 +115,6 @@ ProbitEvidence::ProbitEvidence(const Layout& layout, const Eigen::MatrixXd& inpu
   base_quantile_ = normal_quantile((successes + 0.5) / (static_cast<double>(n) + 1.0));
 }
 
-double ProbitEvidence::mean(double amplitude) const {
-  return std::sqrt(1.0 + amplitude * amplitude) * base_quantile_;
-}
-
 Eigen::MatrixXd ProbitEvidence::covariance(const Eigen::VectorXd& x, Eigen::ArrayXXd* slope) const {
   const Eigen::Index n = signs_.size();
   Eigen::ArrayXXd r = Eigen::ArrayXXd::Zero(n, n);
@@ -133,14 +129,13 @@ Eigen::MatrixXd ProbitEvidence::covariance(const Eigen::VectorXd& x, Eigen::Arra
 }
 
 LaplaceMode ProbitEvidence::mode(const Eigen::VectorXd& x) const {
-  return find_mode(covariance(x, nullptr), signs_, mean(std::exp(x(size() - 1))));
+  return find_mode(covariance(x, nullptr), signs_, base_quantile_);
 }
 
 double ProbitEvidence::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const {
-  const double amplitude = std::exp(x(size() - 1));
   Eigen::ArrayXXd slope;
   const Eigen::MatrixXd k = covariance(x, &slope);
-  const LaplaceMode at = find_mode(k, signs_, mean(amplitude));
+  const LaplaceMode at = find_mode(k, signs_, base_quantile_);
   const auto root = at.root_weights.asDiagonal();
   // R = (K + W^-1)^-1; C = L^-1 W^1/2 K; the evidence's slope by the latent values through W.
   const Eigen::MatrixXd inverse = root * solve(at.factor, Eigen::MatrixXd(root));
@@ -148,7 +143,7 @@ double ProbitEvidence::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradi
   at.factor.triangularView<Eigen::Lower>().solveInPlace(c);
   const Eigen::VectorXd by_latent =
       0.5 * (k.diagonal() - c.colwise().squaredNorm().transpose()).cwiseProduct(at.third);
-  // The mode moves with the parameters: d latent = (I - K R) (dK gradient + d mean).
+  // The mode moves with the parameters: d latent = (I - K R) dK gradient.
   const Eigen::VectorXd moved = by_latent - inverse * (k * by_latent);
   const Eigen::ArrayXXd s = (0.5 * at.gradient * at.gradient.transpose() - 0.5 * inverse +
                              moved * at.gradient.transpose())
@@ -158,10 +153,7 @@ double ProbitEvidence::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradi
     const auto i = static_cast<Eigen::Index>(g);
     gradient(i) = (s * slope * squares_[g]).sum() * std::exp(-2.0 * x(i));
   }
-  const double by_mean = at.gradient.sum() + moved.sum();
-  const double mean_slope =
-      base_quantile_ * amplitude * amplitude / std::sqrt(1.0 + amplitude * amplitude);
-  gradient(size() - 1) = 2.0 * (s * k.array()).sum() + by_mean * mean_slope;
+  gradient(size() - 1) = 2.0 * (s * k.array()).sum();
   const Eigen::ArrayXd t = (x - centre_).array() / deviation_.array();
   gradient.array() -= t / deviation_.array();
   return at.log_evidence - 0.5 * t.square().sum();

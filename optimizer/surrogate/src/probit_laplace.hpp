@@ -24,8 +24,8 @@ struct LaplaceMode {
 LaplaceMode find_mode(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& signs, double mean);
 
 /// Approximate log evidence plus log prior of x = (log length scales [n_groups], log amplitude).
-/// The prior mean of the latent process is no parameter of its own: sqrt(1 + amplitude^2)
-/// Phi^-1(b), so that far from all data the predicted probability is the base rate b.
+/// The prior mean of the latent process is no parameter of its own but Phi^-1(b), so that far from
+/// all data the predicted probability is the base rate b.
 class ProbitEvidence {
  public:
   ProbitEvidence(const Layout& layout, const Eigen::MatrixXd& inputs, const Eigen::VectorXd& signs);
@@ -35,10 +35,10 @@ class ProbitEvidence {
   const Eigen::VectorXd& deviation() const { return deviation_; }
   const Bounds& bounds() const { return bounds_; }
 
-  /// The gradient [size] after Rasmussen and Williams, 2006, section 5.5.1, with the mean's part.
+  /// The gradient [size] after Rasmussen and Williams, 2006, section 5.5.1.
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const;
 
-  double mean(double amplitude) const;
+  double mean() const { return base_quantile_; }  ///< of the latent function
   LaplaceMode mode(const Eigen::VectorXd& x) const;
 
  private:

@@ -14,7 +14,6 @@
 namespace parapet::surrogate {
 namespace {
 
-constexpr int n_starts = 3;
 constexpr double tolerance_nats = 1e-3;
 
 void check(const Layout& layout, const Eigen::MatrixXd& inputs,
@@ -41,6 +40,8 @@ Eigen::VectorXd likeliest(const ProbitEvidence& evidence, Eigen::Index n, std::u
     gradient = -gradient;
     return value;
   };
+  // A call costs several times n^3.
+  const int n_starts = n <= 150 ? 3 : 2;
   const Eigen::MatrixXd u = unit_points(n_starts, static_cast<int>(evidence.size()), seed);
   const int calls = n <= 150 ? 30 : 12;
   Descent best;
@@ -76,11 +77,9 @@ SuccessModel SuccessModel::fit(const Layout& layout, const Eigen::MatrixXd& inpu
   const Eigen::VectorXd x = likeliest(evidence, signs.size(), seed);
   model.length_scales_ = x.head(x.size() - 1).array().exp();
   model.amplitude_ = std::exp(x(x.size() - 1));
-  model.mean_ = evidence.mean(model.amplitude_);
+  model.mean_ = evidence.mean();
   LaplaceMode mode = evidence.mode(x);
   model.gradient_ = std::move(mode.gradient);
-  model.root_weights_ = std::move(mode.root_weights);
-  model.factor_ = std::move(mode.factor);
   return model;
 }
 
@@ -91,16 +90,12 @@ Eigen::VectorXd SuccessModel::log_probability(const Eigen::MatrixXd& inputs) con
                                 std::to_string(layout_.group.size()));
   }
   if (!any_failure_) return Eigen::VectorXd::Zero(inputs.rows());
-  const double variance = amplitude_ * amplitude_;
-  Eigen::MatrixXd k = variance * matern(layout_.group, length_scales_, inputs_, inputs);
+  const Eigen::MatrixXd k =
+      amplitude_ * amplitude_ * matern(layout_.group, length_scales_, inputs_, inputs);
   const Eigen::VectorXd mean = (k.transpose() * gradient_).array() + mean_;
-  k = root_weights_.asDiagonal() * k;
-  factor_.triangularView<Eigen::Lower>().solveInPlace(k);
   Eigen::VectorXd result(inputs.rows());
   for (Eigen::Index j = 0; j < result.size(); ++j) {
-    // Rasmussen and Williams, 2006, equation (3.82).
-    const double spread = std::max(variance - k.col(j).squaredNorm(), 0.0);
-    result(j) = std::min(log_normal_cdf(mean(j) / std::sqrt(1.0 + spread)), 0.0);
+    result(j) = std::min(log_normal_cdf(mean(j)), 0.0);
   }
   return result;
 }

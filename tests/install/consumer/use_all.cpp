@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "parapet/acquisition/improvement.hpp"
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/optimizer/optimize.hpp"
 #include "parapet/reports/line_plot.hpp"
 #include "parapet/study/hashes.hpp"
+#include "parapet/surrogate/gaussian_process.hpp"
 
 int main() {
   using namespace parapet;
@@ -35,6 +37,19 @@ int main() {
   options.starts = {{0.9}};
   const auto result = optimizer::optimize(problem, options);
   if (!result.best || std::abs(result.best->x[0] - 0.3) > 0.01) return 1;
+
+  // One point in the unit square and one that is known to halve what is left.
+  const auto point = [](double a, double b) { return acquisition::Objectives{{a, b}}; };
+  const auto boxes =
+      acquisition::undominated_boxes({point(0.5, 0.0)}, point(1.0, 1.0), point(0.0, 0.0));
+  const double gain = acquisition::log_ehvi(boxes, point(0.25, 0.0), point(0.0, 0.0));
+  if (std::abs(std::exp(gain) - 0.25) > 1e-15) return 1;
+  // A process through two observations returns to the first within the data's spread.
+  const surrogate::Data data{Eigen::Vector2d(0.2, 0.8), Eigen::Vector2d(1.0, 2.0), {}};
+  const auto process = surrogate::GaussianProcess::fit({{0}, 1}, data, {});
+  const double at_first =
+      process.from_model(process.predict(Eigen::MatrixXd::Constant(1, 1, 0.2)).mean(0));
+  if (std::abs(at_first - 1.0) > 0.5) return 1;
 
   reports::LinePlot plot;
   plot.x_label = "time [s]";

@@ -53,7 +53,8 @@ TEST(StudyAsSearchProblem, NoiseOfAMeanShrinksWithTheWeightsAndSharesStayShares)
   json["fidelity"] = Json::parse(R"({"spacings_m": [0.01, 0.02], "cpu_time_s": [10, 1],
     "noise": {"barrier_1_peak_force_n_per_m": [1, 2], "retention_efficiency": [0.01, 0.02]}})");
   json["objectives"].push_back(Json::parse(
-      R"({"name": "held", "metric": "launch_length_m", "statistic": "probability", "upper": 0.5})"));
+      R"({"name": "held", "metric": "launch_length_m", "statistic": "probability", "upper": 0.5,
+          "value_when_absent": 0})"));
   const auto study = parsed(json);
   const auto problem = study::make_search_problem(study);
   const auto& metrics = problem.problem.metrics;

@@ -1,4 +1,5 @@
-// Designs of experiments: laid out as their names say, refused designs counted, worked off in order.
+// Designs of experiments: laid out as their names say, refused designs counted, worked off in
+// order.
 #include "parapet/study/experiments.hpp"
 
 #include <algorithm>
@@ -58,8 +59,8 @@ TEST_F(ExperimentsTest, LatinHypercubeHasOneDesignInEveryStratumOfEveryVariable)
 TEST_F(ExperimentsTest, FullFactorialCombinesLevelsIntegersAndOptions) {
   Json json = with("FULL_FACTORIAL", 100);
   json["method"]["points_per_variable"] = 4;
-  json["variables"]["deflector"] = Json::parse(
-      R"({"options": {"none": {"remove": ["/barriers/0/deflector"]}, "plate": {}}})");
+  json["variables"]["deflector"] =
+      Json::parse(R"({"options": {"none": {"remove": ["/barriers/0/deflector"]}, "plate": {}}})");
   // The angle exists with the plate only: 4 heights without, 4 x 4 with it.
   Json angle = json["variables"]["deflector_angle_deg"];
   angle["active_when"] = Json::parse(R"({"deflector": ["plate"]})");
@@ -72,9 +73,8 @@ TEST_F(ExperimentsTest, FullFactorialCombinesLevelsIntegersAndOptions) {
   EXPECT_EQ(std::count_if(plan.designs.begin(), plan.designs.end(),
                           [](const auto& design) { return design.at("deflector") == 0.0; }),
             4);
-  EXPECT_EQ(different.count({{"deflector", 1.0},
-                             {"deflector_angle_deg", 60.0},
-                             {"upstream_height_m", 0.1}}),
+  EXPECT_EQ(different.count(
+                {{"deflector", 1.0}, {"deflector_angle_deg", 60.0}, {"upstream_height_m", 0.1}}),
             1U)
       << "the bounds themselves";
 }

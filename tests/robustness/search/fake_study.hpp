@@ -34,8 +34,8 @@ double scaled_height(const designs::Design& design);  // h
 class FakeSimulator {
  public:
   struct Behaviour {
-    bool delays = false;                                      ///< of random length, up to 3 ms
-    std::function<bool(const designs::Design&)> fails = {};   ///< designs that fail
+    bool delays = false;                                     ///< of random length, up to 3 ms
+    std::function<bool(const designs::Design&)> fails = {};  ///< designs that fail
     int cancel_after = -1;  ///< simulations that end before all others are cancelled; -1: never
   };
 
@@ -44,9 +44,9 @@ class FakeSimulator {
 
   study::Simulation operator()(const study::SimulationTask& task) const;
 
-  int ended() const;                                       ///< simulations that were not cancelled
-  std::map<std::string, int> counts() const;               ///< by design, spacing and scenario
-  std::function<bool()> cancelled() const;                 ///< for Hooks
+  int ended() const;                          ///< simulations that were not cancelled
+  std::map<std::string, int> counts() const;  ///< by design, spacing and scenario
+  std::function<bool()> cancelled() const;    ///< for Hooks
 
  private:
   struct State {

@@ -15,8 +15,7 @@ class Outputs : public FakeStudyTest {};
 
 Eigen::VectorXd vector_of(const Json& json) {
   const auto values = json.get<std::vector<double>>();
-  return Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                           static_cast<Eigen::Index>(values.size()));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 /// The process that a metric's entry describes, without any fitting.

@@ -17,17 +17,15 @@ std::vector<Event> events(const std::vector<std::optional<double>>& values) {
   const std::vector<double> weights{0.4, 0.3, 0.2, 0.1};
   std::vector<Event> result;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    result.push_back({"event" + std::to_string(k), weights[k],
+    result.push_back({"event" + std::to_string(k),
+                      weights[k],
                       {{"x", values[k], values[k] ? "" : "nothing overflows"}}});
   }
   return result;
 }
 
 Quantity quantity(Statistic statistic) {
-  Quantity result;
-  result.metric = "x";
-  result.statistic = statistic;
-  return result;
+  return {.metric = "x", .statistic = statistic, .lower = {}, .upper = {}, .value_when_absent = {}};
 }
 
 TEST(Statistics, MeanIsWeighted) {
@@ -46,14 +44,15 @@ TEST(Statistics, WorstIsAtTheBadEnd) {
 TEST(Statistics, QuantileIsTheValueThatSoManyEventsMeetOrBetter) {
   Quantity at = quantity(Statistic::quantile);
   const auto values = events({1.0, 2.0, 3.0, 10.0});
-  const std::vector<std::pair<double, double>> low_is_good{
-      {0.4, 1.0}, {0.41, 2.0}, {0.7, 2.0}, {0.9, 3.0}, {0.91, 10.0}, {1.0, 10.0}};
+  const std::vector<std::pair<double, double>> low_is_good{{0.4, 1.0}, {0.41, 2.0},  {0.7, 2.0},
+                                                           {0.9, 3.0}, {0.91, 10.0}, {1.0, 10.0}};
   for (const auto& [share, value] : low_is_good) {
     at.quantile = share;
     EXPECT_EQ(quantity_value(at, values).value, value) << share;
   }
   at.high_is_good = true;  // 10 (0.1), 3 (0.3), 2 (0.6), 1 (1.0)
-  const std::vector<std::pair<double, double>> high{{0.1, 10.0}, {0.3, 3.0}, {0.6, 2.0}, {0.9, 1.0}};
+  const std::vector<std::pair<double, double>> high{
+      {0.1, 10.0}, {0.3, 3.0}, {0.6, 2.0}, {0.9, 1.0}};
   for (const auto& [share, value] : high) {
     at.quantile = share;
     EXPECT_EQ(quantity_value(at, values).value, value) << share;
@@ -108,7 +107,8 @@ std::vector<Event> forces(double first, double second, double third,
   std::vector<Event> result;
   const std::vector<double> values{first, second, third}, weights{0.5, 0.3, 0.2};
   for (std::size_t k = 0; k < 3; ++k) {
-    result.push_back({"event", weights[k],
+    result.push_back({"event",
+                      weights[k],
                       {{"barrier_1_peak_force_n_per_m", values[k], ""},
                        {"launch_length_m", launch, launch ? "" : "nothing overflows"},
                        {"retention_efficiency", 0.9, ""}}});
@@ -186,7 +186,8 @@ TEST(ScenarioScoring, ProbabilityConstraintIsOneLimit) {
 
 TEST(ScenarioScoring, AbsentMetricOfAConstraintCountsAsTheSpecSays) {
   const auto with = [](const std::string& more) {
-    return parsed(study_with(force, R"([{"metric": "launch_length_m", "upper": 0.4)" + more + "}]"));
+    return parsed(
+        study_with(force, R"([{"metric": "launch_length_m", "upper": 0.4)" + more + "}]"));
   };
   const auto nothing = forces(1.0, 2.0, 3.0, std::nullopt);
   EXPECT_TRUE(study::score(with(""), design, nothing).feasible);

@@ -32,14 +32,14 @@ TEST_F(SearchLoop, UsesItsBudgetAndFindsTheFront) {
   EXPECT_EQ(summary.evaluations, 14);
   EXPECT_EQ(simulator.ended(), 14);
   ASSERT_GE(summary.pareto.size(), 3U);
-  // On the front sqrt(f1) + sqrt(f2) is 1. Fourteen designs of two variables reach it nearly:
-  // measured 1.00 to 1.02 for the best, limit 1.1.
+  // On the front sqrt(f1) + sqrt(f2) is 1. Fourteen designs of two variables reach it: measured
+  // 1.000 for the best of them, limit 1.05 for another version of the search.
   double nearest = 10.0;
   for (const auto& record : summary.pareto) {
-    nearest = std::min(nearest, std::sqrt(*record.objectives[0].value) +
-                                    std::sqrt(*record.objectives[1].value));
+    nearest = std::min(
+        nearest, std::sqrt(*record.objectives[0].value) + std::sqrt(*record.objectives[1].value));
   }
-  EXPECT_LT(nearest, 1.1);
+  EXPECT_LT(nearest, 1.05);
 }
 
 TEST_F(SearchLoop, StoppedAnywhereItResumesToTheSameLog) {
@@ -169,9 +169,8 @@ TEST_F(SearchLoop, FailedDesignsAreRecordedAndNeverRecommended) {
 }
 
 TEST_F(SearchLoop, EveryDesignFailingIsAFailedStudy) {
-  const FakeSimulator simulator({.delays = false,
-                                 .fails = [](const designs::Design&) { return true; },
-                                 .cancel_after = -1});
+  const FakeSimulator simulator(
+      {.delays = false, .fails = [](const designs::Design&) { return true; }, .cancel_after = -1});
   const auto summary = run(parsed(fake_study()), "out", simulator);
   EXPECT_EQ(summary.state, StudyState::failed);
   EXPECT_NE(summary.message.find("it broke"), std::string::npos) << summary.message;

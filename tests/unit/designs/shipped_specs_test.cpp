@@ -15,7 +15,7 @@ Json shipped(const std::string& name) {
 
 // Whatever is shipped can be read, as what it says it is.
 TEST(ShippedSpecs, AllParse) {
-  EXPECT_EQ(embedded_spec_names().size(), 4U);
+  EXPECT_EQ(embedded_spec_names().size(), 7U);
   for (const std::string& name : embedded_spec_names()) {
     const Json json = shipped(name);
     const std::string format = document_format(json, name);
@@ -37,10 +37,27 @@ TEST(ShippedSpecs, AllParse) {
   EXPECT_EQ(embedded_schema("quickstart"), nullptr);
 }
 
-// Both ends of every variable, alone and together, are possible scenes: no evaluation of a shipped
-// study may be lost to a corner of its bounds.
+/// Expects a possible scene for a design in every event at every spacing.
+void expect_scenes(const StudySpec& study, const Design& design) {
+  std::vector<const Scenario*> events;
+  for (const Scenario& scenario : study.scenarios) events.push_back(&scenario);
+  if (events.empty()) events.push_back(nullptr);
+  for (const FidelityLevel& level : study.fidelity) {
+    for (const Scenario* event : events) {
+      EXPECT_NO_THROW(design_case(study, design, event, level.spacing))
+          << study.name << " " << Json(design).dump() << " in "
+          << (event == nullptr ? "the case" : event->name) << " at " << level.spacing;
+    }
+  }
+}
+
+// Both ends of every variable, alone and together, are possible scenes in every event at every
+// spacing: no evaluation of a shipped study may be lost to a corner of its bounds.
 TEST(ShippedSpecs, EveryCornerOfTheStudiesIsAScene) {
-  for (const char* name : {"quickstart", "dual_barrier"}) {
+  int studies = 0;
+  for (const std::string& name : embedded_spec_names()) {
+    if (document_format(shipped(name), name) != "parapet-study/1") continue;
+    ++studies;
     const StudySpec study = parse_study(shipped(name), name);
     const std::size_t n = study.variables.size();
     for (std::size_t corner = 0; corner < (std::size_t{1} << n); ++corner) {
@@ -49,8 +66,18 @@ TEST(ShippedSpecs, EveryCornerOfTheStudiesIsAScene) {
         const Variable& variable = study.variables[i];
         design[variable.name] = ((corner >> i) & 1U) != 0 ? variable.upper : variable.lower;
       }
-      EXPECT_NO_THROW(design_case(study, design)) << name << " " << Json(design).dump();
+      expect_scenes(study, design);
     }
+  }
+  EXPECT_EQ(studies, 5);
+}
+
+// A shipped study reads back the same from what it resolves to.
+TEST(ShippedSpecs, ResolvedReadsBackTheSame) {
+  for (const std::string& name : embedded_spec_names()) {
+    if (document_format(shipped(name), name) != "parapet-study/1") continue;
+    const StudySpec study = parse_study(shipped(name), name);
+    EXPECT_EQ(parse_study(study.resolved, name).resolved.dump(), study.resolved.dump()) << name;
   }
 }
 

@@ -46,14 +46,14 @@ struct ScenarioRecord {
 
 /// One evaluated design, as it stands in the log. Numbers keep every bit through the file.
 struct EvaluationRecord {
-  std::string id;     ///< "0001", ...
+  std::string id;  ///< "0001", ...
   /// "start", "initial", "search" and "confirm" (of a search), "sample" (of a design of
   /// experiments), or "external" (parapet evaluate)
   std::string stage;
   designs::Design design;
   std::map<std::string, std::string> options;  ///< choice -> option taken; empty without choices
   bool ok = false;
-  std::string reason;  ///< why it failed
+  std::string reason;                   ///< why it failed
   std::vector<solver::Metric> metrics;  ///< with scenarios: weighted means
   std::vector<ObjectiveRecord> objectives;
   std::optional<double> objective_scalar;  ///< to be minimised; empty when failed

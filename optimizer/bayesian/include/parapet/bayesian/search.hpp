@@ -23,7 +23,9 @@ struct SearchOptions {
   double duplicate_distance =
       1e-3;                        ///< in the unit cube, largest coordinate: nearer is a repetition
   int stagnation_evaluations = 0;  ///< stop when so many bring no gain above the noise; 0: never
-  double least_gain = 0.0;  ///< stop when the expected gain is below this share of the volume
+  /// Stop when the expected gain is below this share of the hypervolume, or below a tenth of the
+  /// noise of an observation, three times running; 0: never.
+  double least_gain = 0.0;
 };
 
 /// Something to evaluate.
@@ -31,7 +33,7 @@ struct Suggestion {
   int id = 0;    ///< 0, 1, 2, ...: what tell() is given
   Point x = {};  ///< canonical
   int level = 0;
-  std::string stage = {};  ///< "start", "initial", "search" or "confirm"
+  std::string stage = {};  ///< "start", "initial", "search", "explore" or "confirm"
   double log_gain = 0.0;   ///< log of the expected gain (stage search)
 };
 

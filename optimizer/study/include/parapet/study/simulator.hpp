@@ -39,8 +39,8 @@ using Simulator = std::function<Simulation(const SimulationTask& task)>;
 /// The solver.
 Simulator solver_simulator();
 
-/// Expected processor time of one simulation of the base case [s], for lack of anything better:
-/// a share of what counts is how it depends on the spacing.
+/// Expected processor time of one simulation of the base case [s], for a search that has seen none
+/// yet. Only how it depends on the spacing matters: the search learns the rest.
 double expected_seconds(const designs::StudySpec& study, double spacing);
 
 /// Processor time that a simulation of so many particle steps takes on an ordinary core [s]. Stands

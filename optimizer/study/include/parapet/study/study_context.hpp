@@ -37,8 +37,8 @@ class DesignJob {
 
   enum class Outcome { cancelled, incomplete, complete };
 
-  /// Simulates one event, or takes it from what an earlier run left, and keeps it on disk. Different
-  /// events may be simulated at once; `complete` is returned once, by the last to end.
+  /// Simulates one event, or takes it from what an earlier run left, and keeps it on disk.
+  /// Different events may be simulated at once; `complete` is returned once, by the last to end.
   /// @throws reports::FileError
   Outcome simulate(std::size_t event, int threads);
 
