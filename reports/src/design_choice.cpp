@@ -71,6 +71,10 @@ std::size_t objective_index(const StudyLog& log, const std::string& name, const 
 }
 
 std::string score_knee(Choice& choice) {
+  if (choice.front.size() == 1) {
+    return "One design is at least as good as every other in every objective: there is nothing to "
+           "trade off, and it is taken.";
+  }
   const Knee knee = knee_of(values_of(choice.front));
   std::vector<std::string> ends;
   for (std::size_t k = 0; k < choice.front.size(); ++k) {

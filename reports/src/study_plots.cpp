@@ -19,6 +19,11 @@ std::optional<double> number(const Json& objective, const char* key) {
   return value_of(objective[key]);
 }
 
+/// The surrogate's estimate; the value itself of a formula, which is known exactly.
+std::optional<double> middle(const Json& objective) {
+  return number(objective, objective.contains("expression") ? "value" : "estimate");
+}
+
 /// Bars from the lower to the upper end of the surrogate's interval, across the estimate.
 PlotSeries interval_bars(const Json& front, std::size_t a, std::size_t b) {
   PlotSeries bars{.label = "surrogate, 95 % interval", .x = {}, .y = {}, .color = 5};
@@ -28,7 +33,7 @@ PlotSeries interval_bars(const Json& front, std::size_t a, std::size_t b) {
   };
   for (const Json& design : front) {
     const Json &one = design["objectives"][a], &other = design["objectives"][b];
-    const auto x = number(one, "estimate"), y = number(other, "estimate");
+    const auto x = middle(one), y = middle(other);
     if (!x || !y) continue;
     const auto x0 = number(one, "lower_95"), x1 = number(one, "upper_95");
     const auto y0 = number(other, "lower_95"), y1 = number(other, "upper_95");
