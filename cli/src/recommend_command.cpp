@@ -2,24 +2,128 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "common_options.hpp"
+#include "interrupt.hpp"
 #include "parapet/reports/atomic_file.hpp"
 #include "parapet/reports/recommendation.hpp"
 #include "parapet/reports/result_json.hpp"
+#include "parapet/study/confirm.hpp"
+#include "parapet/study/sensitivity.hpp"
+#include "run_monitor.hpp"
 #include "session.hpp"
 
 namespace parapet::cli {
 namespace {
 
-int recommend_command(const Session& session, const std::filesystem::path& folder) {
-  const reports::Recommendation recommendation = reports::recommend(folder);
+struct RecommendOptions : CommonOptions {
+  std::filesystem::path folder;
+  std::string rule, weights;
+  std::vector<std::string> limits;
+  bool no_confirm = false;
+  std::optional<double> confirm_spacing_mm;
+  int repeats = 2;
+};
+
+/// The spec that the folder's study.json holds; empty, with a warning, when this program cannot
+/// read it: then there is advice from the log alone.
+std::optional<designs::StudySpec> stored_study(const Session& session,
+                                               const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "study.json";
+  const designs::Json state = designs::read_json(file);
+  try {
+    return designs::parse_study(state.value("spec", designs::Json()), file.string() + " /spec");
+  } catch (const designs::InputError& error) {
+    session.log->warn("nothing is simulated again and no sensitivities are computed: {}",
+                      error.what());
+    return std::nullopt;
+  }
+}
+
+void write_sensitivity(const Session& session, const designs::StudySpec& study,
+                       const std::filesystem::path& folder) {
+  std::string source;
+  const designs::Json surrogates = study::study_surrogates(study, folder, source);
+  if (surrogates.is_null()) {
+    session.log->info("too few designs for surrogates: no sensitivities");
+    return;
+  }
+  const designs::Json json = study::sensitivity_json(study, surrogates, source);
+  reports::write_file_atomically(folder / "sensitivity.json", reports::json_text(json));
+}
+
+study::ConfirmOutcome confirm(const Session& session, const RecommendOptions& options,
+                              const designs::StudySpec& study, const reports::PickRule& rule) {
+  std::optional<RunMonitor> monitor;
+  study::ConfirmOptions confirm;
+  confirm.folder = options.folder;
+  if (options.confirm_spacing_mm) confirm.spacing = *options.confirm_spacing_mm / 1000.0;
+  confirm.repeats = options.repeats;
+  confirm.jobs = options.jobs;
+  confirm.on_pick = [&](const reports::Pick& pick, std::size_t runs) {
+    if (runs == 0) return;
+    session.log->info("confirming design {}: {} runs", pick.id, runs);
+    monitor.emplace(session, static_cast<int>(runs), "runs");
+  };
+  confirm.hooks.cancelled = interrupted;
+  confirm.hooks.on_message = [&](const std::string& sentence) {
+    session.log->warn("{}", sentence);
+  };
+  confirm.hooks.on_simulation = [&](const std::string& id, const solver::Progress& progress) {
+    monitor->running(id, progress);
+  };
+  confirm.hooks.on_simulation_ended = [&](const std::string& id) { monitor->simulation_ended(id); };
+  confirm.hooks.on_evaluated = [&](const reports::EvaluationRecord& record, bool from_log) {
+    monitor->ended(record.id, from_log);
+  };
+  const auto picks = reports::ranked_picks(options.folder, rule);
+  return study::confirm_picks(study, picks, confirm);
+}
+
+/// False when it was interrupted.
+bool confirm_and_say(const Session& session, const RecommendOptions& options,
+                     const designs::StudySpec& study, const reports::PickRule& rule) {
+  const study::ConfirmOutcome outcome = confirm(session, options, study, rule);
+  if (outcome.cancelled) {
+    session.log->error(
+        "interrupted; runs that ended are in {}, and the same command goes on from there",
+        (options.folder / "confirmations.jsonl").string());
+    return false;
+  }
+  if (!outcome.refusal.empty()) {
+    session.log->warn("nothing is simulated again while the study runs: {}", outcome.refusal);
+  }
+  for (const std::string& id : outcome.refuted) {
+    session.log->warn("design {} did not hold when it was simulated again", id);
+  }
+  return true;
+}
+
+int recommend_command(const Session& session, const RecommendOptions& options) {
+  const std::filesystem::path& folder = options.folder;
+  const reports::PickRule rule =
+      reports::parse_pick_rule(options.rule, options.weights, options.limits);
+  reports::ranked_picks(folder, rule);  // what is wrong with the study or the rule is said first
+  if (const auto study = stored_study(session, folder)) {
+    if (!options.no_confirm && !confirm_and_say(session, options, *study, rule)) {
+      return exit_interrupted;
+    }
+    write_sensitivity(session, *study, folder);
+  }
+  const reports::Recommendation recommendation = reports::recommend(folder, rule);
   reports::write_file_atomically(folder / "recommendation.json",
                                  reports::json_text(recommendation.json));
   reports::write_file_atomically(folder / "recommendation.md", recommendation.markdown);
+  for (const std::string& file : reports::draw_study_plots(folder, recommendation.json)) {
+    session.log->info("written: {}", (folder / file).string());
+  }
   if (!session.quiet) fmt::print("{}", recommendation.markdown);
   session.log->info("written: {} and recommendation.json", (folder / "recommendation.md").string());
   if (!recommendation.feasible) {
-    session.log->warn("no design meets every constraint, so nothing is recommended");
+    session.log->warn(
+        "no design meets every constraint and the rule's limits, so nothing is "
+        "recommended");
   }
   return exit_done;
 }
@@ -28,17 +132,42 @@ int recommend_command(const Session& session, const std::filesystem::path& folde
 
 void add_recommend(CLI::App& app, Session& session) {
   CLI::App* verb = app.add_subcommand("recommend", "Say which design to build, from a study's log");
-  auto folder = std::make_shared<std::string>();
-  verb->add_option("STUDY_DIR", *folder, "Folder of a study, as parapet optimize writes it")
+  auto options = std::make_shared<RecommendOptions>();
+  verb->add_option("STUDY_DIR", options->folder, "Folder of a study, as parapet optimize writes it")
       ->required();
+  verb->add_option("--rule", options->rule,
+                   "best (the default for one objective), knee (for several), weights or limits")
+      ->type_name("RULE");
+  verb->add_option("--weights", options->weights,
+                   "Rule weights: objectives with their weights, each over its range on the front")
+      ->type_name("NAME=W,...");
+  verb->add_option("--limit", options->limits,
+                   "Rule limits: a limit on an objective; may be given again")
+      ->type_name("\"NAME<=X\"")
+      ->allow_extra_args(false);
+  verb->add_flag("--no-confirm", options->no_confirm, "Simulate nothing");
+  verb->add_option("--confirm-spacing-mm", options->confirm_spacing_mm,
+                   "Simulate the design at this particle spacing too")
+      ->type_name("MM")
+      ->check(CLI::Range(0.2, 1000.0));
+  verb->add_option("--repeats", options->repeats, "Nearly equal designs to simulate (default: 2)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100));
+  add_jobs(*verb, *options, "Simulations side by side, then threads of each");
   verb->footer(
-      R"(Prints the advice and writes recommendation.md and recommendation.json into STUDY_DIR. Nothing is
-simulated; a study that still runs can be asked too.
+      R"(Prints the advice and writes recommendation.md and recommendation.json into STUDY_DIR, with
+sensitivity.json (which variables matter, by the surrogates) and, for several objectives, front.png
+and hypervolume.png. The chosen design is simulated again with designs half a per cent of the ranges
+away from it, to see how far the answer scatters; these runs are kept in confirmations.jsonl and not
+repeated. If it does not hold, the next is tried, three at most. A study that still runs can be asked
+too; then nothing is simulated.
 
 Examples:
-  parapet recommend runs/quickstart-optimize)");
-  verb->callback([folder, &session] {
-    session.command = [folder, &session] { return recommend_command(session, *folder); };
+  parapet recommend runs/quickstart-optimize
+  parapet recommend runs/dual --rule weights --weights retention_efficiency=2,launch_length_m=1
+  parapet recommend runs/dual --rule limits --limit "launch_length_m<=0.1" --confirm-spacing-mm 2.5)");
+  verb->callback([options, &session] {
+    session.command = [options, &session] { return recommend_command(session, *options); };
   });
 }
 

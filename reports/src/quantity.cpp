@@ -51,9 +51,13 @@ Quantity quantity(const std::string& key) {
   return result;
 }
 
-std::string quantity_label(const std::string& key) {
+std::string bracketed(const std::string& key) {
   const Quantity parts = quantity(key);
-  return parts.unit == "-" ? parts.words : fmt::format("{} [{}]", parts.words, parts.unit);
+  return parts.unit == "-" ? std::string() : fmt::format(" [{}]", parts.unit);
+}
+
+std::string quantity_label(const std::string& key) {
+  return quantity(key).words + bracketed(key);
 }
 
 std::string number_text(const std::optional<double>& value) {

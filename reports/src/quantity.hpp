@@ -17,6 +17,9 @@ Quantity quantity(const std::string& key);
 /// "launch length [m]"; without brackets for a pure number.
 std::string quantity_label(const std::string& key);
 
+/// " [m]"; empty for a pure number.
+std::string bracketed(const std::string& key);
+
 /// Four significant digits, never 1e+03 for a thousand; "-" when there is no value.
 std::string number_text(const std::optional<double>& value);
 

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <set>
 
+#include "confirmations.hpp"
+#include "design_choice.hpp"
 #include "parapet/solver/result.hpp"
 #include "recommendation_caveats.hpp"
+#include "recommendation_json.hpp"
 #include "recommendation_parts.hpp"
 #include "study_log.hpp"
 
@@ -16,98 +19,14 @@ namespace {
 
 using designs::Json;
 
-constexpr double active_share = 0.02;    // a margin below this share of the limit is "active"
-constexpr double at_bound_share = 0.01;  // of a variable's range
 constexpr double distinct_share = 0.05;  // of some variable's range, between alternatives
 constexpr std::size_t most_alternatives = 5;
-
-Json optional_json(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-Json percent(const std::optional<double>& part, const std::optional<double>& whole) {
-  if (!part || !whole || *whole == 0.0) return nullptr;
-  return 100.0 * *part / std::abs(*whole);
-}
-
-Json constraint_json(const LoggedConstraint& constraint) {
-  const std::optional<double> margin = constraint.margin();
-  const std::optional<double> limit = constraint.nearer_limit();
-  const double size = limit && *limit != 0.0 ? std::abs(*limit) : 1.0;
-  Json json{{"name", constraint.name}};
-  if (!constraint.of.empty()) json[constraint.on_metric ? "metric" : "expression"] = constraint.of;
-  json["value"] = optional_json(constraint.value);
-  json["lower"] = optional_json(constraint.lower);
-  json["upper"] = optional_json(constraint.upper);
-  json["satisfied"] = constraint.satisfied;
-  json["margin"] = optional_json(margin);
-  json["margin_percent"] = percent(margin, limit);
-  json["active"] = constraint.satisfied && margin && *margin <= active_share * size;
-  return json;
-}
-
-Json objectives_json(const LoggedDesign& design) {
-  Json list = Json::array();
-  for (const LoggedObjective& objective : design.objectives) {
-    list.push_back({{"metric", objective.metric},
-                    {"goal", objective.goal},
-                    {"weight", objective.weight},
-                    {"value", optional_json(objective.value)},
-                    {"absent", objective.absent}});
-  }
-  return list;
-}
-
-Json variables_json(const StudyLog& log, const LoggedDesign& design) {
-  Json list = Json::array();
-  for (const LoggedVariable& variable : log.variables) {
-    const auto found = design.design.find(variable.name);
-    if (found == design.design.end()) continue;  // does not exist under the options taken
-    const double value = found->second;
-    const double near = at_bound_share * (variable.upper - variable.lower);
-    const char* bound = variable.choice                  ? nullptr
-                        : value - variable.lower <= near ? "lower"
-                        : variable.upper - value <= near ? "upper"
-                                                         : nullptr;
-    list.push_back({{"name", variable.name},
-                    {"value", value},
-                    {"lower", variable.lower},
-                    {"upper", variable.upper},
-                    {"at_bound", bound != nullptr ? Json(bound) : Json(nullptr)}});
-  }
-  return list;
-}
-
-Json design_json(const StudyLog& log, const LoggedDesign& design) {
-  Json json{{"id", design.id}, {"stage", design.stage}};
-  json["design"] = Json::object();
-  for (const LoggedVariable& variable : log.variables) {
-    const auto found = design.design.find(variable.name);
-    json["design"][variable.name] =
-        found == design.design.end() ? Json(nullptr) : Json(found->second);
-  }
-  json["variables"] = variables_json(log, design);
-  json["spacing_m"] = optional_json(design.spacing);
-  json["objective_scalar"] = optional_json(design.objective_scalar);
-  json["objectives"] = objectives_json(design);
-  json["constraints"] = Json::array();
-  for (const LoggedConstraint& constraint : design.constraints) {
-    json["constraints"].push_back(constraint_json(constraint));
-  }
-  json["metrics"] = Json::object();
-  json["metrics_absent"] = Json::object();
-  for (const solver::Metric& metric : design.metrics) {
-    json["metrics"][metric.key] = optional_json(metric.value);
-    if (!metric.value) json["metrics_absent"][metric.key] = metric.absent_reason;
-  }
-  return json;
-}
 
 /// Usable designs from best to worst: the feasible by objective, or the others by violation.
 std::vector<const LoggedDesign*> ranked(const StudyLog& log, bool feasible) {
   std::vector<const LoggedDesign*> list;
   for (const LoggedDesign& design : log.designs) {
-    if (design.ok && design.feasible == feasible && design.objective_scalar) {
+    if (design.feasible == feasible && log.counts(design)) {
       list.push_back(&design);
     }
   }
@@ -120,23 +39,27 @@ std::vector<const LoggedDesign*> ranked(const StudyLog& log, bool feasible) {
 
 bool distinct(const StudyLog& log, const LoggedDesign& a, const LoggedDesign& b) {
   return std::ranges::any_of(log.variables, [&](const LoggedVariable& variable) {
-    const auto in_a = a.design.find(variable.name), in_b = b.design.find(variable.name);
-    const bool absent_in_a = in_a == a.design.end(), absent_in_b = in_b == b.design.end();
-    if (absent_in_a || absent_in_b) return absent_in_a != absent_in_b;
-    const double apart = std::abs(in_a->second - in_b->second);
+    const auto one = a.design.find(variable.name), other = b.design.find(variable.name);
+    if (one == a.design.end() || other == b.design.end()) {
+      return (one == a.design.end()) != (other == b.design.end());
+    }
+    const double apart = std::abs(one->second - other->second);
+    if (variable.choice()) return apart > 0.0;
     return apart >= distinct_share * (variable.upper - variable.lower) && apart > 0.0;
   });
 }
 
-Json alternatives_json(const StudyLog& log, const std::vector<const LoggedDesign*>& feasible) {
-  std::vector<const LoggedDesign*> chosen;
+/// The best feasible designs that are apart from the recommended one and from each other.
+Json alternatives_json(const StudyLog& log, const LoggedDesign* best) {
   Json list = Json::array();
-  for (const LoggedDesign* design : feasible) {
+  if (best == nullptr) return list;
+  std::vector<const LoggedDesign*> chosen{best};
+  for (const LoggedDesign* design : ranked(log, true)) {
     const bool apart = std::ranges::all_of(
         chosen, [&](const LoggedDesign* other) { return distinct(log, *design, *other); });
     if (!apart) continue;
     chosen.push_back(design);
-    if (chosen.size() > 1) list.push_back(design_json(log, *design));  // the first is recommended
+    list.push_back(design_json(log, *design));
     if (list.size() == most_alternatives) break;
   }
   return list;
@@ -183,12 +106,13 @@ Json improvement_json(const StudyLog& log, const LoggedDesign& best) {
     if (from && objective.value) change = *objective.value - *from;
     const bool more = objective.goal != "minimize";
     json["objectives"].push_back(
-        {{"metric", objective.metric},
+        {{"name", objective.metric},
+         {"metric", objective.of},
          {"goal", objective.goal},
          {"start", optional_json(from)},
          {"best", optional_json(objective.value)},
          {"change", optional_json(change)},
-         {"change_percent", percent(change, from)},
+         {"change_percent", percent_json(change, from)},
          {"better", change ? Json(more ? *change > 0.0 : *change < 0.0) : Json(nullptr)}});
   }
   return json;
@@ -198,7 +122,8 @@ Json failed_json(const StudyLog& log) {
   Json list = Json::array();
   for (const LoggedDesign& design : log.designs) {
     if (design.ok) continue;
-    list.push_back({{"id", design.id}, {"design", design.design}, {"reason", design.reason}});
+    list.push_back(
+        {{"id", design.id}, {"design", written_design(log, design)}, {"reason", design.reason}});
   }
   return list;
 }
@@ -211,12 +136,13 @@ Json definitions_json(const StudyLog& log) {
   return json;
 }
 
-Json reproduce_json(const StudyLog& log, const LoggedDesign& design) {
-  const Json values = design_json(log, design)["design"];
+Json reproduce_json(const StudyLog& log, const PickRule& rule, const LoggedDesign& design) {
+  const Json values = written_design(log, design);
   std::string evaluate = fmt::format("parapet evaluate SPEC.json --design '{}'", values.dump());
   if (design.spacing) evaluate += fmt::format(" --spacing-mm {:g}", 1000.0 * *design.spacing);
   return {{"evaluate", evaluate},
-          {"optimize", "parapet optimize SPEC.json"},
+          {"optimize", "parapet optimize SPEC.json --out STUDY_DIR"},
+          {"recommend", "parapet recommend STUDY_DIR" + command_line(rule)},
           {"spec",
            "SPEC.json is the study's spec; study.json holds it with every default under "
            "/spec"},
@@ -224,49 +150,85 @@ Json reproduce_json(const StudyLog& log, const LoggedDesign& design) {
           {"provenance", log.provenance}};
 }
 
-Json study_json(const StudyLog& log) {
-  int ok = 0, feasible = 0;
-  for (const LoggedDesign& design : log.designs) {
-    ok += design.ok ? 1 : 0;
-    feasible += design.feasible ? 1 : 0;
+Json candidates_json(const StudyLog& log, const std::vector<Candidate>& list) {
+  Json json = Json::array();
+  for (const Candidate& candidate : list) {
+    json.push_back({{"id", candidate.design->id},
+                    {"design", written_design(log, *candidate.design)},
+                    {"objectives", estimates_json(candidate)},
+                    {"probability_feasible", optional_json(candidate.probability_feasible())},
+                    {"probability_limits", optional_json(candidate.probability_limits)},
+                    {"within_limits", candidate.within_limits},
+                    {"score", candidate.score}});
   }
-  const auto name = log.spec.find("name");
-  return {{"name", name != log.spec.end() && name->is_string() ? *name : Json("study")},
-          {"folder", log.folder},
-          {"evaluations", log.designs.size()},
-          {"ok", ok},
-          {"failed", static_cast<int>(log.designs.size()) - ok},
-          {"feasible", feasible},
-          {"log_complete", !log.incomplete_last_line}};
+  return json;
+}
+
+Json rule_json(const Choice& choice, const PickRule& rule) {
+  Json limits = Json::array();
+  for (const ObjectiveLimit& limit : rule.limits) {
+    limits.push_back({{"objective", limit.objective},
+                      {"lower", optional_json(limit.lower)},
+                      {"upper", optional_json(limit.upper)}});
+  }
+  return {{"name", to_string(choice.kind)},
+          {"limits", limits},
+          {"words", choice.words},
+          {"all_doubtful", choice.all_doubtful},
+          {"allows_none", choice.ranked.empty() && !choice.front.empty()}};
+}
+
+/// The design that an engineer would look at when nothing is recommended: of the front when the
+/// rule's limits allow none of it, else the one that misses the constraints least.
+const LoggedDesign* nearest_design(const StudyLog& log, const Choice& choice) {
+  if (!choice.ranked.empty()) return nullptr;
+  const std::vector<const LoggedDesign*> infeasible = ranked(log, false);
+  if (!choice.front.empty() || infeasible.empty()) return nullptr;
+  return infeasible.front();
+}
+
+Json recommended_json(const StudyLog& log, const Confirmed& confirmed) {
+  if (confirmed.pick == nullptr) return nullptr;
+  Json json = design_json(log, *confirmed.pick->design);
+  json["estimates"] = estimates_json(*confirmed.pick);
+  json["probability_feasible"] = optional_json(confirmed.pick->probability_feasible());
+  json["probability_limits"] = optional_json(confirmed.pick->probability_limits);
+  return json;
 }
 
 }  // namespace
 
-Recommendation recommend(const std::filesystem::path& study_dir) {
+Recommendation recommend(const std::filesystem::path& study_dir, const PickRule& rule) {
   const StudyLog log = read_study_log(study_dir);
-  const std::vector<const LoggedDesign*> feasible = ranked(log, true);
-  const std::vector<const LoggedDesign*> infeasible = ranked(log, false);
-  const LoggedDesign* best = feasible.empty() ? nullptr : feasible.front();
-  const LoggedDesign* nearest =
-      best == nullptr && !infeasible.empty() ? infeasible.front() : nullptr;
+  const Choice choice = choose(log, rule);
+  const Confirmed confirmed = confirmed_pick(log, choice);
+  const LoggedDesign* best = confirmed.pick != nullptr ? confirmed.pick->design : nullptr;
+  const LoggedDesign* nearest = nearest_design(log, choice);
 
   Recommendation out;
   out.feasible = best != nullptr;
   Json& json = out.json;
   json["format"] = "parapet-recommendation/1";
   json["study"] = study_json(log);
+  json["rule"] = rule_json(choice, rule);
   json["feasible"] = out.feasible;
-  json["recommended"] = best != nullptr ? design_json(log, *best) : Json(nullptr);
+  json["recommended"] = recommended_json(log, confirmed);
+  json["confirmation"] = confirmation_json(log, confirmed);
   json["least_violating"] = nearest != nullptr ? design_json(log, *nearest) : Json(nullptr);
   if (nearest != nullptr) json["least_violating"]["violation"] = nearest->violation();
+  json["front"] = log.n_objectives() > 1 ? candidates_json(log, choice.front) : Json(Json::array());
+  json["leaving"] =
+      log.n_objectives() > 1 && best != nullptr ? leaving_json(choice, *best) : Json(Json::array());
+  json["hypervolume"] = hypervolume_json(log);
   json["improvement"] = best != nullptr ? improvement_json(log, *best) : Json(nullptr);
-  json["alternatives"] = alternatives_json(log, feasible);
-  json["effects"] = effects_json(log);
-  mark_ties(json);
+  json["alternatives"] = alternatives_json(log, best);
+  json["effects"] = log.all_numbers() ? effects_json(log) : Json(Json::array());
+  if (log.n_objectives() <= 1) mark_ties(json);
+  json["sensitivity"] = log.sensitivity;
   json["failed"] = failed_json(log);
   json["caveats"] = caveats_json(log, best, best != nullptr ? variables_json(log, *best) : Json());
   const LoggedDesign* shown = best != nullptr ? best : nearest;
-  json["reproduce"] = shown != nullptr ? reproduce_json(log, *shown) : Json(nullptr);
+  json["reproduce"] = shown != nullptr ? reproduce_json(log, rule, *shown) : Json(nullptr);
   json["definitions"] = definitions_json(log);
   out.markdown = recommendation_text(json);
   return out;

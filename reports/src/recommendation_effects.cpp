@@ -19,7 +19,9 @@ std::vector<std::string> asked_metrics(const StudyLog& log) {
     if (!key.empty() && std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
   };
   for (const LoggedDesign& design : log.designs) {
-    for (const LoggedObjective& objective : design.objectives) add(objective.metric);
+    for (const LoggedObjective& objective : design.objectives) {
+      if (objective.on_metric) add(objective.of);
+    }
   }
   for (const LoggedDesign& design : log.designs) {
     for (const LoggedConstraint& constraint : design.constraints) {
@@ -65,14 +67,11 @@ Json fit_json(const StudyLog& log, const std::string& metric) {
   std::vector<std::vector<double>> x;
   std::vector<double> y;
   for (const LoggedDesign& design : log.designs) {
-    const std::optional<double> value = design.ok ? design.metric(metric) : std::nullopt;
+    const std::optional<double> value = log.counts(design) ? design.metric(metric) : std::nullopt;
     if (!value || !std::isfinite(*value)) continue;
     std::vector<double> row;
     for (const LoggedVariable& variable : log.variables) {
-      // A variable that does not exist in a design cannot have moved anything: its middle.
-      const auto found = design.design.find(variable.name);
-      row.push_back(found == design.design.end() ? 0.5 * (variable.lower + variable.upper)
-                                                 : found->second);
+      row.push_back(design.design.at(variable.name));
     }
     x.push_back(std::move(row));
     y.push_back(*value);

@@ -13,19 +13,6 @@ namespace {
 
 using designs::Json;
 
-std::string objective_words(const Json& objective) {
-  const std::string value = with_unit(value_of(objective["value"]), text_of(objective["metric"]));
-  return objective["absent"].get<bool>() ? fmt::format("no value, counted as {}", value) : value;
-}
-
-std::string design_words(const Json& design) {
-  std::vector<std::string> parts;
-  for (const auto& [name, value] : design.items()) {
-    parts.push_back(fmt::format("{} {}", quantity(name).words, with_unit(value_of(value), name)));
-  }
-  return joined(parts);
-}
-
 std::string limit_words(const Json& constraint) {
   const std::optional<double> lower = value_of(constraint["lower"]);
   const std::optional<double> upper = value_of(constraint["upper"]);
@@ -33,53 +20,17 @@ std::string limit_words(const Json& constraint) {
   return lower ? "at least " + number_text(lower) : "at most " + number_text(upper);
 }
 
-std::string constraint_label(const Json& constraint) {
-  if (constraint.contains("metric")) return quantity_label(text_of(constraint["metric"]));
-  return text_of(constraint["name"]);
-}
-
-std::string opening(const Json& json) {
-  const Json& study = json["study"];
-  std::string text;
-  if (!json["feasible"].get<bool>()) {
-    text = fmt::format("# No arrangement to recommend: {}\n\n", text_of(study["name"]));
-    text += fmt::format("**None of the {} designs evaluated meets every constraint.** ",
-                        study["evaluations"].get<int>());
-    const Json& nearest = json["least_violating"];
-    if (nearest.is_null()) return text + "No simulation ended well either.\n\n";
-    return text + fmt::format(
-                      "The one that misses them least is design {}: {}. It is shown below "
-                      "to help in changing the spec, not as advice to build it.\n\n",
-                      text_of(nearest["id"]), design_words(nearest["design"]));
-  }
-  const Json& best = json["recommended"];
-  text = fmt::format("# Recommended arrangement: {}\n\n", text_of(study["name"]));
-  text += fmt::format("**{}** (design {}).\n\n", design_words(best["design"]), text_of(best["id"]));
-  for (const Json& objective : best["objectives"]) {
-    const std::string key = text_of(objective["metric"]);
-    text += fmt::format("- {}: **{}** (to be {}d)\n", quantity(key).words,
-                        objective_words(objective), text_of(objective["goal"]));
-  }
-  std::vector<std::string> active;
-  for (const Json& constraint : best["constraints"]) {
-    if (constraint["active"].get<bool>()) active.push_back(constraint_label(constraint));
-  }
-  if (!best["constraints"].empty()) {
-    text += fmt::format("- all {} constraints hold", best["constraints"].size());
-    text += active.empty() ? "; none is close to its limit\n"
-                           : fmt::format("; at its limit: {}\n", joined(active));
-  }
-  text += fmt::format("- {} designs evaluated: {} feasible, {} failed\n\n",
-                      study["evaluations"].get<int>(), study["feasible"].get<int>(),
-                      study["failed"].get<int>());
-  return text;
-}
-
 std::string variables_section(const Json& design) {
   std::vector<std::vector<std::string>> rows{{"variable", "value", "range allowed", ""}};
   for (const Json& variable : design["variables"]) {
     const std::string name = text_of(variable["name"]);
     const std::string bound = text_of(variable["at_bound"]);
+    if (variable.contains("option")) {
+      std::vector<std::string> options;
+      for (const Json& option : variable["options"]) options.push_back(text_of(option));
+      rows.push_back({quantity(name).words, text_of(variable["option"]), joined(options), ""});
+      continue;
+    }
     rows.push_back({quantity(name).words, with_unit(value_of(variable["value"]), name),
                     fmt::format("{} to {}", number_text(value_of(variable["lower"])),
                                 with_unit(value_of(variable["upper"]), name)),
@@ -162,9 +113,8 @@ std::string improvement_section(const Json& improvement) {
   std::vector<std::vector<std::string>> rows{
       {"objective", "start", "recommended", "change", "in per cent", ""}};
   for (const Json& objective : improvement["objectives"]) {
-    const std::string key = text_of(objective["metric"]);
     const Json& better = objective["better"];
-    rows.push_back({quantity_label(key), number_text(value_of(objective["start"])),
+    rows.push_back({objective_label(objective), number_text(value_of(objective["start"])),
                     number_text(value_of(objective["best"])), signed_text(objective["change"]),
                     percent_text(objective["change_percent"]),
                     better.is_null()     ? ""
@@ -175,7 +125,7 @@ std::string improvement_section(const Json& improvement) {
 }
 
 std::string alternatives_section(const Json& json) {
-  if (!json["feasible"].get<bool>()) return "";
+  if (!json["feasible"].get<bool>() || !json["front"].empty()) return "";  // the front says it
   if (json["alternatives"].empty()) {
     return "## Alternatives\n\nNo other feasible design differs from it by 5 % of a variable's "
            "range.\n\n";
@@ -183,17 +133,19 @@ std::string alternatives_section(const Json& json) {
   const Json& best = json["recommended"];
   std::vector<std::string> heading{"design"};
   std::string alignment = "l";
-  for (const auto& item : best["design"].items()) heading.push_back(quantity_label(item.key()));
-  for (const Json& objective : best["objectives"]) {
-    heading.push_back(quantity_label(text_of(objective["metric"])));
-  }
+  const Json& variables = json["study"]["variables"];
+  for (const Json& one : variables) heading.push_back(quantity_label(text_of(one["name"])));
+  for (const Json& objective : best["objectives"]) heading.push_back(objective_label(objective));
   heading.push_back("smallest margin");
   alignment.append(heading.size() - 1, 'r');
   std::vector<std::vector<std::string>> rows{heading};
   const auto add = [&](const Json& design, const std::string& name) {
     std::vector<std::string> row{name};
-    for (const auto& item : design["design"].items()) {
-      row.push_back(number_text(value_of(item.value())));
+    for (const Json& one : variables) {
+      const Json value = design["design"].value(text_of(one["name"]), Json());
+      row.push_back(value.is_null()     ? ""
+                    : value.is_string() ? text_of(value)
+                                        : number_text(value_of(value)));
     }
     for (const Json& objective : design["objectives"]) {
       row.push_back(number_text(value_of(objective["value"])));
@@ -225,6 +177,7 @@ std::string alternatives_section(const Json& json) {
 }
 
 std::string effects_section(const Json& json) {
+  if (json["effects"].empty()) return "";
   std::string text =
       "## What each variable does\n\nLeast-squares fits to all designs that were simulated; they "
       "describe the region that was tried, not what lies beyond. ± is one standard "
@@ -275,9 +228,10 @@ std::string closing(const Json& json) {
   for (const Json& caveat : json["caveats"]) text += "- " + text_of(caveat) + "\n";
   const Json& reproduce = json["reproduce"];
   if (reproduce.is_null()) return text;
-  text += fmt::format("\n## How to repeat it\n\n```\n{}\n{}\n```\n\n{}. Hash of the spec: `{}`.\n",
-                      text_of(reproduce["evaluate"]), text_of(reproduce["optimize"]),
-                      text_of(reproduce["spec"]), text_of(reproduce["spec_hash"]));
+  text += fmt::format(
+      "\n## How to repeat it\n\n```\n{}\n{}\n{}\n```\n\n{}. Hash of the spec: `{}`.\n",
+      text_of(reproduce["optimize"]), text_of(reproduce["recommend"]),
+      text_of(reproduce["evaluate"]), text_of(reproduce["spec"]), text_of(reproduce["spec_hash"]));
   if (reproduce["provenance"].is_object()) {
     text += "\n| made with | |\n|---|---|\n";
     for (const auto& [key, value] : reproduce["provenance"].items()) {
@@ -292,14 +246,18 @@ std::string closing(const Json& json) {
 }  // namespace
 
 std::string recommendation_text(const Json& json) {
-  std::string text = opening(json);
+  std::string text = opening_section(json);
   const Json& design = json["feasible"].get<bool>() ? json["recommended"] : json["least_violating"];
+  if (!design.is_null()) text += variables_section(design);
+  text += confirmation_section(json);
+  if (!design.is_null()) text += constraints_section(design);
+  text += front_section(json);
   if (!design.is_null()) {
-    text += variables_section(design) + constraints_section(design);
     text += improvement_section(json["improvement"]) + alternatives_section(json);
-    text += effects_section(json) + hand_formula_section(design) + metrics_section(json, design);
+    text += sensitivity_section(json) + effects_section(json);
+    text += hand_formula_section(design) + metrics_section(json, design);
   }
-  return text + failed_section(json["failed"]) + closing(json);
+  return text + study_section(json) + failed_section(json["failed"]) + closing(json);
 }
 
 }  // namespace parapet::reports

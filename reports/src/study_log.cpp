@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "parapet/reports/evaluation_log.hpp"
+#include "study_log_spec.hpp"
 
 namespace parapet::reports {
 namespace {
@@ -17,23 +18,6 @@ namespace {
 using designs::InputError;
 using designs::InputIssue;
 using designs::Json;
-
-std::optional<double> number(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_number()) return std::nullopt;
-  return found->get<double>();
-}
-
-std::string text(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-const Json& member(const Json& object, const char* key) {
-  static const Json nothing;
-  const auto found = object.find(key);
-  return found == object.end() ? nothing : *found;
-}
 
 std::string file_text(const std::filesystem::path& file, const std::string& wanted) {
   std::ifstream in(file, std::ios::binary);
@@ -43,47 +27,6 @@ std::string file_text(const std::filesystem::path& file, const std::string& want
   std::ostringstream bytes;
   bytes << in.rdbuf();
   return bytes.str();
-}
-
-std::vector<LoggedVariable> read_variables(const Json& spec, const std::string& file) {
-  std::vector<LoggedVariable> variables;
-  for (const auto& [name, entry] : member(spec, "variables").items()) {
-    if (entry.is_object() && entry.contains("options")) {
-      const auto last = static_cast<double>(entry["options"].size()) - 1.0;
-      variables.push_back({name, 0.0, last, true, entry.contains("active_when")});
-      continue;
-    }
-    const std::optional<double> lower = entry.is_object() ? number(entry, "lower") : std::nullopt;
-    const std::optional<double> upper = entry.is_object() ? number(entry, "upper") : std::nullopt;
-    if (!lower || !upper) {
-      throw InputError({InputIssue{file, "/spec/variables/" + name, entry.dump(),
-                                   "the variable has no bounds", "lower and upper, numbers"}});
-    }
-    variables.push_back({name, *lower, *upper, false, entry.contains("active_when")});
-  }
-  if (variables.empty()) {
-    throw InputError({InputIssue{file, "/spec/variables", "", "the study has no variables",
-                                 "an object of at least one variable"}});
-  }
-  return variables;
-}
-
-/// The record's constraint with what the spec says of it.
-LoggedConstraint read_constraint(const ConstraintRecord& record, const Json& spec) {
-  LoggedConstraint constraint;
-  constraint.name = record.name;
-  constraint.value = record.value;
-  constraint.lower = record.lower;
-  constraint.upper = record.upper;
-  constraint.satisfied = record.satisfied;
-  for (const Json& stated : member(spec, "constraints")) {
-    if (!stated.is_object() || text(stated, "name") != constraint.name) continue;
-    constraint.scale = number(stated, "scale");
-    constraint.of = text(stated, "metric");
-    constraint.on_metric = !constraint.of.empty();
-    if (!constraint.on_metric) constraint.of = text(stated, "expression");
-  }
-  return constraint;
 }
 
 LoggedDesign read_design(const Json& line, const Json& spec) {
@@ -98,10 +41,13 @@ LoggedDesign read_design(const Json& line, const Json& spec) {
   design.objective_scalar = record.objective_scalar;
   design.spacing = record.spacing > 0.0 ? std::optional(record.spacing) : std::nullopt;
   design.metrics = record.metrics;
+  design.options = record.options;
+  design.cpu_time = record.cpu_time;
+  for (const ScenarioRecord& scenario : record.scenarios) {
+    design.scenarios.push_back(scenario.name);
+  }
   for (const ObjectiveRecord& objective : record.objectives) {
-    design.objectives.push_back(
-        {objective.metric, objective.goal == designs::Goal::minimize ? "minimize" : "maximize",
-         objective.weight, objective.value, objective.absent});
+    design.objectives.push_back(read_objective(objective, spec));
   }
   for (const ConstraintRecord& constraint : record.constraints) {
     design.constraints.push_back(read_constraint(constraint, spec));
@@ -111,21 +57,16 @@ LoggedDesign read_design(const Json& line, const Json& spec) {
 
 void check_variables(const LoggedDesign& design, const StudyLog& log) {
   for (const LoggedVariable& variable : log.variables) {
-    if (!variable.conditional && !design.design.contains(variable.name)) {
+    if (!design.design.contains(variable.name) && !variable.conditional) {
       throw std::invalid_argument(fmt::format("design {} has no {}", design.id, variable.name));
     }
   }
 }
 
-void leave_out_coarse(std::vector<LoggedDesign>& designs) {
-  double finest = std::numeric_limits<double>::infinity();
-  for (const LoggedDesign& design : designs)
-    finest = std::min(finest, design.spacing.value_or(0.0));
-  std::erase_if(designs,
-                [&](const LoggedDesign& design) { return design.spacing.value_or(0.0) > finest; });
-}
-
-void read_designs(const std::filesystem::path& file, StudyLog& log) {
+/// Lines that are whole; a last one that is not is passed over.
+std::vector<LoggedDesign> read_lines(const std::filesystem::path& file, const StudyLog& log,
+                                     bool& incomplete_last_line) {
+  std::vector<LoggedDesign> designs;
   const std::string bytes = file_text(file, "the log of a study that has started");
   std::size_t start = 0;
   for (int number_of_line = 1; start < bytes.size(); ++number_of_line) {
@@ -138,10 +79,10 @@ void read_designs(const std::filesystem::path& file, StudyLog& log) {
     try {
       LoggedDesign design = read_design(Json::parse(line), log.spec);
       check_variables(design, log);
-      log.designs.push_back(std::move(design));
+      designs.push_back(std::move(design));
     } catch (const std::exception& error) {
       if (last) {
-        log.incomplete_last_line = true;
+        incomplete_last_line = true;
         continue;
       }
       throw InputError(
@@ -150,13 +91,39 @@ void read_designs(const std::filesystem::path& file, StudyLog& log) {
                       "one evaluated design as a JSON object"}});
     }
   }
+  return designs;
+}
+
+/// A file that tells more of the study, when it is there, whole and of the same spec.
+Json read_companion(const StudyLog& log, const char* name, const std::string& format) {
+  std::ifstream file(log.path / name);
+  if (!file) return nullptr;
+  Json json = Json::parse(file, nullptr, false);
+  const bool fits = json.is_object() && text(json, "format") == format &&
+                    text(json, "spec_hash") == log.spec_hash;
+  return fits ? json : Json();
+}
+
+void read_designs(StudyLog& log) {
+  const std::filesystem::path file = log.path / "evaluations.jsonl";
+  log.designs = read_lines(file, log, log.incomplete_last_line);
   if (log.designs.empty()) {
     throw InputError({InputIssue{file.string(), "", "", "no design has been evaluated yet",
                                  "at least one complete line"}});
   }
+  const std::filesystem::path confirmed = log.path / "confirmations.jsonl";
+  bool ignored = false;
+  if (std::filesystem::exists(confirmed)) {
+    log.confirmations = read_lines(confirmed, log, ignored);
+  }
 }
 
 }  // namespace
+
+std::optional<double> LoggedObjective::minimised() const {
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return goal == "minimize" ? *value : -*value;
+}
 
 std::optional<double> LoggedConstraint::nearer_limit() const {
   if (lower && upper && value) return *value - *lower < *upper - *value ? lower : upper;
@@ -201,6 +168,38 @@ int StudyLog::barriers() const {
   return count;
 }
 
+std::optional<double> StudyLog::counted_spacing() const {
+  std::vector<double> levels;
+  const Json& fidelity = member(spec, "fidelity");
+  for (const Json& spacing : member(fidelity, "spacings_m")) {
+    if (spacing.is_number()) levels.push_back(spacing.get<double>());
+  }
+  std::ranges::sort(levels);
+  for (const double level : levels) {
+    const auto used = [&](const LoggedDesign& design) {
+      return design.ok && design.spacing == level;
+    };
+    if (std::ranges::any_of(designs, used)) return level;
+  }
+  return levels.empty() ? std::nullopt : std::optional(levels.front());
+}
+
+bool StudyLog::counts(const LoggedDesign& design) const {
+  if (!design.ok || !design.objective_scalar) return false;
+  const std::optional<double> spacing = counted_spacing();
+  return !spacing || design.spacing == spacing;
+}
+
+bool StudyLog::all_numbers() const {
+  return std::ranges::none_of(variables, [](const LoggedVariable& variable) {
+    return variable.choice() || variable.conditional;
+  });
+}
+
+std::size_t StudyLog::n_objectives() const {
+  return member(spec, "objectives").size();
+}
+
 StudyLog read_study_log(const std::filesystem::path& study_dir) {
   const std::filesystem::path file = study_dir / "study.json";
   StudyLog log;
@@ -222,8 +221,9 @@ StudyLog read_study_log(const std::filesystem::path& study_dir) {
   log.spec_hash = text(state, "spec_hash");
   log.provenance = member(state, "provenance");
   log.variables = read_variables(log.spec, file.string());
-  read_designs(study_dir / "evaluations.jsonl", log);
-  leave_out_coarse(log.designs);
+  read_designs(log);
+  log.pareto = read_companion(log, "pareto.json", "parapet-pareto/1");
+  log.sensitivity = read_companion(log, "sensitivity.json", "parapet-sensitivity/1");
   return log;
 }
 

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/reports/pick_rule.hpp"
 
 namespace parapet::reports {
 
@@ -14,9 +16,19 @@ struct Recommendation {
   std::string markdown;   ///< the same for a reader
 };
 
-/// Reads study.json and evaluations.jsonl of a study folder; nothing is simulated or written.
+/// Reads study.json and evaluations.jsonl of a study folder, and where they are there pareto.json
+/// (the surrogate's estimates), confirmations.jsonl and sensitivity.json; nothing is simulated or
+/// written. Of the designs that the rule ranks, the first is recommended that no confirmation has
+/// refuted.
 /// A last line that is not complete (the study was killed, or is still running) is passed over.
-/// @throws designs::InputError when a file is missing or damaged, or nothing was evaluated yet.
-Recommendation recommend(const std::filesystem::path& study_dir);
+/// @throws designs::InputError when a file is missing or damaged, nothing was evaluated yet, or the
+///         rule does not fit the study's objectives.
+Recommendation recommend(const std::filesystem::path& study_dir, const PickRule& rule = {});
+
+/// Draws front.png (and front-1-3.png ... for more than two objectives) and hypervolume.png into
+/// the study's folder; nothing for one objective. Returns the names of the files.
+/// @throws FileError
+std::vector<std::string> draw_study_plots(const std::filesystem::path& study_dir,
+                                          const designs::Json& recommendation);
 
 }  // namespace parapet::reports

@@ -1,0 +1,63 @@
+#include "front.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace parapet::reports {
+namespace {
+
+using Points = std::vector<ObjectiveValues>;
+
+TEST(Front, KeepsWhatNothingDominates) {
+  const Points points{{3, 1}, {1, 3}, {2, 2}, {2, 3}, {3, 3}, {2, 2}};
+  EXPECT_EQ(undominated(points), (std::vector<std::size_t>{0, 1, 2}))
+      << "of equal points the first";
+}
+
+TEST(Front, KneeOfAQuarterCircleIsItsMiddle) {
+  // (1 - cos t, 1 - sin t) bulges towards the ideal by (cos t + sin t - 1) / sqrt 2 from the line
+  // through its ends: sqrt 2 - 1 over sqrt 2 at 45 degrees. The second objective's unit is another.
+  Points points;
+  for (int k = 0; k <= 6; ++k) {
+    const double t = k * std::acos(0.0) / 6.0;
+    points.push_back({1.0 - std::cos(t), 500.0 - 100.0 * std::sin(t)});
+  }
+  const Knee knee = knee_of(points);
+  EXPECT_TRUE(knee.through_ends);
+  EXPECT_EQ(knee.ends, (std::vector<std::size_t>{0, 6}));
+  for (int k = 0; k <= 6; ++k) {
+    const double t = k * std::acos(0.0) / 6.0;
+    EXPECT_NEAR(knee.distance[static_cast<std::size_t>(k)],
+                (std::cos(t) + std::sin(t) - 1.0) / std::sqrt(2.0), 1e-12)
+        << "rounding only";
+  }
+}
+
+TEST(Front, PlaneGoesThroughTheEndsOfThreeObjectives) {
+  // Ends at the unit vectors and one point inside: (1 - 0.6) / sqrt 3 from x + y + z = 1.
+  const Points points{{0, 1, 1}, {1, 0, 1}, {1, 1, 0}, {0.2, 0.2, 0.2}};
+  const Knee knee = knee_of(points);
+  EXPECT_TRUE(knee.through_ends);
+  // The ends lie on x + y + z = 2.
+  EXPECT_NEAR(knee.distance[3], (2.0 - 0.6) / std::sqrt(3.0), 1e-12);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(knee.distance[k], 0.0, 1e-12);
+}
+
+TEST(Front, EndsThatSpanNoPlaneAreSaid) {
+  // One design is best in two of three objectives.
+  const Points points{{0, 0, 1}, {1, 1, 0}, {0.5, 0.5, 0.2}};
+  const Knee knee = knee_of(points);
+  EXPECT_FALSE(knee.through_ends);
+  EXPECT_NEAR(knee.distance[0], 0.0, 1e-12) << "an end is at its worst somewhere";
+  EXPECT_NEAR(knee.distance[2], 1.0 - 0.5, 1e-12) << "its worst objective is half way";
+}
+
+TEST(Front, OnePointIsItsOwnKnee) {
+  const Knee knee = knee_of({{2.0, 5.0}});
+  EXPECT_TRUE(std::isfinite(knee.distance[0]));
+  EXPECT_EQ(knee.ends, (std::vector<std::size_t>{0, 0}));
+}
+
+}  // namespace
+}  // namespace parapet::reports
