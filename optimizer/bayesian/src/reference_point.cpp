@@ -8,9 +8,20 @@
 namespace parapet::bayesian {
 namespace {
 
-/// A front may be narrower than the noise (all designs hold everything back): it is then given this
-/// share of what was observed at all, so that noise is not mistaken for progress.
-constexpr double least_share = 0.25;
+/// The reference is at least as bad as this share of what was seen. A front of few designs is much
+/// shorter than the true one, and what lies beyond the reference is worth nothing to the search:
+/// with the front alone it would crowd into one part (bench/search/zoo_bench).
+constexpr double seen_share = 0.9;
+
+/// The value that a share of the points do not exceed.
+double quantile_of(const std::vector<Eigen::VectorXd>& points, Eigen::Index objective,
+                   double share) {
+  std::vector<double> values;
+  for (const auto& y : points) values.push_back(y[objective]);
+  std::sort(values.begin(), values.end());
+  const double last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(share * last))];
+}
 
 /// Objectives of what was observed; only feasible designs of the finest level if there are any.
 std::vector<Eigen::VectorXd> observed(const Problem& problem, const std::vector<Told>& told,
@@ -49,18 +60,9 @@ std::optional<Eigen::VectorXd> reference_point(const Problem& problem,
       best = std::min(best, points[k][j]);
       worst = std::max(worst, points[k][j]);
     }
-    double range = worst - best;
-    double least = all.front()[j], greatest = least;
-    for (const auto& y : all) {
-      least = std::min(least, y[j]);
-      greatest = std::max(greatest, y[j]);
-    }
-    if (n == 1) {  // a front of one point: measure from the worst design
-      for (const auto& y : points) worst = std::max(worst, y[j]);
-    } else {
-      range = std::max(range, least_share * (greatest - least));
-    }
-    reference[j] = worst + (range > 0.0 ? 0.1 * range : 0.1 * std::max(std::abs(worst), 1e-12));
+    const double beyond_front = worst + 0.1 * (worst - best);
+    reference[j] = std::max(beyond_front, quantile_of(points, j, n == 1 ? 1.0 : seen_share));
+    if (reference[j] <= best) reference[j] = best + 0.1 * std::max(std::abs(best), 1e-12);
   }
   return reference;
 }
