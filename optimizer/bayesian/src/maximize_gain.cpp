@@ -51,9 +51,9 @@ std::vector<Candidate> different(const Space& space, const std::vector<Candidate
 std::optional<Candidate> maximize_gain(const MaximizeInput& input, const Space& space,
                                        Candidates& candidates) {
   const std::size_t n = space.size();
-  std::vector<Point> xs = candidates.spread(std::min<std::size_t>(200 * n, 600));
+  std::vector<Point> xs = candidates.spread(std::min<std::size_t>(100 * n, 400));
   const std::size_t around_each =
-      input.centers.empty() ? 0 : std::max<std::size_t>(4, 400 / input.centers.size());
+      input.centers.empty() ? 0 : std::max<std::size_t>(4, 240 / input.centers.size());
   for (const Point& center : input.centers) {
     for (const double reach : {0.2, 0.05}) {
       for (Point& x : candidates.around(center, reach, around_each / 2)) xs.push_back(std::move(x));
