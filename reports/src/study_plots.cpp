@@ -111,6 +111,10 @@ bool draw_hypervolume(const std::filesystem::path& file, const Json& json) {
   if (!volume.is_object() || volume["history"].empty()) return false;
   PlotSeries line;
   for (const Json& entry : volume["history"]) {
+    if (!line.y.empty()) {  // it jumps when a design is known, and stays in between
+      line.x.push_back(value_of(entry["evaluations"]).value_or(gap));
+      line.y.push_back(line.y.back());
+    }
     line.x.push_back(value_of(entry["evaluations"]).value_or(gap));
     line.y.push_back(value_of(entry["hypervolume"]).value_or(gap));
   }

@@ -1,8 +1,10 @@
 /// Problems for the Bayesian search, and a loop that runs it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -20,6 +22,19 @@ inline std::vector<Suggestion> run(Search& search, const Evaluate& evaluate) {
     search.tell(suggestion->id, evaluate(*suggestion));
   }
   return asked;
+}
+
+inline SearchOptions budget(int evaluations, std::uint64_t seed = 1) {
+  return {.max_evaluations = evaluations, .seed = seed};
+}
+
+/// Least value of a metric among the feasible designs.
+inline double best_value(const Search& search, std::size_t metric) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Assessed& a : search.assessed()) {
+    if (a.feasible && a.values[metric]) best = std::min(best, *a.values[metric]);
+  }
+  return best;
 }
 
 inline Variable continuous(const char* name, double lower, double upper) {

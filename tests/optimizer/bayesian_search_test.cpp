@@ -11,18 +11,6 @@
 namespace parapet::bayesian {
 namespace {
 
-SearchOptions budget(int evaluations, std::uint64_t seed = 1) {
-  return {.max_evaluations = evaluations, .seed = seed};
-}
-
-double best_value(const Search& search, std::size_t metric) {
-  double best = std::numeric_limits<double>::infinity();
-  for (const Assessed& a : search.assessed()) {
-    if (a.feasible && a.values[metric]) best = std::min(best, *a.values[metric]);
-  }
-  return best;
-}
-
 TEST(BayesianSearch, FindsTheMinimumOfBranin) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     Search search(branin_problem(), budget(30, seed));
@@ -221,47 +209,6 @@ TEST(BayesianSearch, UsesCheapLevelsAndEndsAtTheFinest) {
   EXPECT_LT(best, 0.397887 + 0.1);
 }
 
-TEST(BayesianSearch, StopsAtALimitOfSeconds) {
-  SearchOptions options = budget(100);
-  options.max_seconds = 12.5;
-  Search search(branin_problem(), options);
-  run(search, branin_answer);
-  EXPECT_EQ(search.stop_reason(), StopReason::seconds);
-  EXPECT_EQ(search.evaluations(), 13);  // the one that crosses the limit was begun before it
-}
-
-TEST(BayesianSearch, StopsWhenNothingImprovesAnyMore) {
-  SearchOptions options = budget(200);
-  options.stagnation_evaluations = 10;
-  Search search(branin_problem(), options);
-  run(search, branin_answer);
-  EXPECT_EQ(search.stop_reason(), StopReason::stagnation);
-  EXPECT_LT(search.evaluations(), 100);
-  EXPECT_LT(best_value(search, 0), 0.397887 + 0.3);
-}
-
-TEST(BayesianSearch, StopsWhenTheExpectedGainIsSmall) {
-  SearchOptions options = budget(200);
-  options.least_gain = 1e-4;
-  Search search(branin_problem(), options);
-  run(search, branin_answer);
-  EXPECT_EQ(search.stop_reason(), StopReason::small_gain);
-  EXPECT_LT(best_value(search, 0), 0.397887 + 0.05);
-}
-
-TEST(BayesianSearch, EndsWhenEveryDesignIsEvaluated) {
-  Problem problem;
-  problem.space = Space({{.name = "n", .kind = VariableKind::integer, .lower = 1, .upper = 6}});
-  problem.metrics = {{.name = "loss"}};
-  problem.objectives = {{.metric = 0}};
-  Search search(problem, budget(50));
-  run(search, [](const Suggestion& s) {
-    return Observation{.ok = true, .values = {(s.x[0] - 4.0) * (s.x[0] - 4.0)}, .seconds = 1.0};
-  });
-  EXPECT_EQ(search.evaluations(), 6);
-  EXPECT_EQ(search.stop_reason(), StopReason::exhausted);
-}
-
 TEST(BayesianSearch, KeepsToConstraintsThatNeedNoEvaluation) {
   Problem problem = branin_problem();
   problem.cheap_constraints = [](const Point& x) {
@@ -278,49 +225,6 @@ TEST(BayesianSearch, KeepsToConstraintsThatNeedNoEvaluation) {
     }
   }
   EXPECT_LT(best_value(search, 0), least + 0.5);
-}
-
-TEST(BayesianSearch, SaysWhenNoDesignIsAllowed) {
-  Problem problem = branin_problem();
-  problem.cheap_constraints = [](const Point&) { return std::vector<double>{1.0}; };
-  Search search(problem, budget(10));
-  EXPECT_FALSE(search.ask().has_value());
-  EXPECT_EQ(search.stop_reason(), StopReason::no_allowed_design);
-}
-
-TEST(BayesianSearch, AsksTheStartsFirst) {
-  SearchOptions options = budget(10);
-  options.starts = {{1.0, 2.0}, {3.0, 4.0}};
-  Search search(branin_problem(), options);
-  const auto asked = run(search, branin_answer);
-  EXPECT_EQ(asked[0].x, (Point{1.0, 2.0}));
-  EXPECT_EQ(asked[1].x, (Point{3.0, 4.0}));
-  EXPECT_EQ(asked[0].stage, "start");
-}
-
-TEST(BayesianSearch, TakesEvaluationsMadeElsewhere) {
-  Search search(branin_problem(), budget(20));
-  for (int k = 0; k < 10; ++k) {
-    const Point x{-5.0 + 1.5 * k, 15.0 - 1.5 * k};
-    search.tell_external(x, 0, branin_answer({.x = x}));
-  }
-  const auto asked = run(search, branin_answer);
-  EXPECT_EQ(search.evaluations(), 20);
-  EXPECT_EQ(asked.size(), 10U);
-  EXPECT_EQ(asked.front().stage, "search");
-}
-
-TEST(BayesianSearch, MetricsWithoutAValueCountAsTheLimitSays) {
-  Problem problem = branin_problem();
-  problem.metrics.push_back({.name = "launch"});
-  problem.limits = {{.metric = 1, .upper = 1.0, .satisfied_when_absent = true}};
-  Search search(problem, budget(20));
-  run(search, [](const Suggestion& s) {
-    Observation o = branin_answer(s);
-    o.values.push_back(s.x[0] < 0.0 ? std::optional<double>() : s.x[0]);
-    return o;
-  });
-  for (const Assessed& a : search.assessed()) EXPECT_EQ(a.feasible, a.x[0] <= 1.0);
 }
 
 TEST(BayesianSearch, IntervalsHoldWhatIsTrueUnderNoise) {
@@ -347,22 +251,6 @@ TEST(BayesianSearch, IntervalsHoldWhatIsTrueUnderNoise) {
   }
   // 40 dependent designs, most of them around the minima: 30 is what a coverage of 75 % gives
   EXPECT_GE(held, 30);
-}
-
-TEST(BayesianSearch, RefusesNonsense) {
-  Problem problem = branin_problem();
-  problem.objectives.clear();
-  EXPECT_THROW(Search(problem, budget(10)), std::invalid_argument);
-  problem = branin_problem();
-  problem.limits = {{.metric = 0, .lower = 2.0, .upper = 1.0}};
-  EXPECT_THROW(Search(problem, budget(10)), std::invalid_argument);
-  EXPECT_THROW(Search(branin_problem(), budget(0)), std::invalid_argument);
-  Search search(branin_problem(), budget(10));
-  EXPECT_THROW(search.tell(3, branin_answer({.x = {0.0, 0.0}})), std::invalid_argument);
-  const auto s = search.ask();
-  EXPECT_THROW(search.tell(s->id, {.ok = true, .values = {}}), std::invalid_argument);
-  search.tell(s->id, branin_answer(*s));
-  EXPECT_THROW(search.tell(s->id, branin_answer(*s)), std::invalid_argument);
 }
 
 }  // namespace
