@@ -102,13 +102,12 @@ std::string command_line(const PickRule& rule) {
   if (rule.kind == RuleKind::best) text = " --rule best";
   if (rule.kind == RuleKind::knee) text = " --rule knee";
   for (const auto& [name, weight] : rule.weights) {
-    text +=
-        fmt::format("{}{}={:g}", text.empty() ? " --rule weights --weights " : ",", name, weight);
+    text += fmt::format("{}{}={}", text.empty() ? " --rule weights --weights " : ",", name, weight);
   }
   for (const ObjectiveLimit& limit : rule.limits) {
     text += text.empty() ? " --rule limits" : "";
-    text += limit.upper ? fmt::format(" --limit \"{}<={:g}\"", limit.objective, *limit.upper)
-                        : fmt::format(" --limit \"{}>={:g}\"", limit.objective, *limit.lower);
+    text += limit.upper ? fmt::format(" --limit \"{}<={}\"", limit.objective, *limit.upper)
+                        : fmt::format(" --limit \"{}>={}\"", limit.objective, *limit.lower);
   }
   return text;
 }

@@ -70,7 +70,11 @@ Json alternatives_json(const StudyLog& log, const LoggedDesign* best) {
 void mark_ties(Json& json) {
   double scatter = 0.0;
   const Json& fits = json["effects"];
-  if (!fits.empty() && fits[0]["r2_left_out"].is_number() && fits[0]["r2_left_out"] >= rough_r2) {
+  const Json& best = json.at("recommended");
+  // A formula is exact: the scatter of some other metric says nothing about it.
+  const bool of_objective = best.is_object() && !fits.empty() && !best["objectives"].empty() &&
+                            fits[0]["metric"] == best["objectives"][0]["metric"];
+  if (of_objective && fits[0]["r2_left_out"].is_number() && fits[0]["r2_left_out"] >= rough_r2) {
     scatter = fits[0]["scatter"].get<double>();
   }
   for (Json& alternative : json["alternatives"]) {
@@ -139,7 +143,7 @@ Json definitions_json(const StudyLog& log) {
 Json reproduce_json(const StudyLog& log, const PickRule& rule, const LoggedDesign& design) {
   const Json values = written_design(log, design);
   std::string evaluate = fmt::format("parapet evaluate SPEC.json --design '{}'", values.dump());
-  if (design.spacing) evaluate += fmt::format(" --spacing-mm {:g}", 1000.0 * *design.spacing);
+  if (design.spacing) evaluate += fmt::format(" --spacing-mm {:.10g}", 1000.0 * *design.spacing);
   return {{"evaluate", evaluate},
           {"optimize", "parapet optimize SPEC.json --out STUDY_DIR"},
           {"recommend", "parapet recommend STUDY_DIR" + command_line(rule)},

@@ -162,7 +162,13 @@ int StudyLog::barriers() const {
   int count = 0;
   for (const LoggedDesign& design : designs) {
     for (const solver::Metric& metric : design.metrics) {
-      if (metric.key.starts_with("barrier_")) count = std::max(count, metric.key[8] - '0');
+      if (!metric.key.starts_with("barrier_")) continue;
+      int number = 0;
+      for (std::size_t k = 8; k < metric.key.size() && metric.key[k] >= '0' && metric.key[k] <= '9';
+           ++k) {
+        number = 10 * number + (metric.key[k] - '0');
+      }
+      count = std::max(count, number);
     }
   }
   return count;

@@ -1,6 +1,8 @@
 /// When the Bayesian search ends, what it is given, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "bayesian_problems.hpp"
@@ -90,6 +92,68 @@ TEST(BayesianSearch, MetricsWithoutAValueCountAsTheLimitSays) {
     return o;
   });
   for (const Assessed& a : search.assessed()) EXPECT_EQ(a.feasible, a.x[0] <= 1.0);
+}
+
+TEST(BayesianSearch, ResumesItsInitialDesigns) {
+  // What an interrupted search was told again counts among the initial designs, and the rest
+  // follows.
+  Search whole(branin_problem(), budget(30));
+  const auto asked = run(whole, branin_answer);
+  Search resumed(branin_problem(), budget(30));
+  for (std::size_t k = 0; k < 3; ++k) {
+    resumed.tell_external(asked[k].x, 0, branin_answer(asked[k]));
+  }
+  for (std::size_t k = 3; k < 6; ++k) {
+    const auto s = resumed.ask();
+    EXPECT_EQ(s->stage, "initial");
+    EXPECT_TRUE(same_design(s->x, asked[k].x)) << k;
+    resumed.tell(s->id, branin_answer(*s));
+  }
+  EXPECT_EQ(resumed.ask()->stage, "search");
+}
+
+TEST(BayesianSearch, StartsThatAreRefusedAreNotCounted) {
+  Problem problem = branin_problem();
+  problem.cheap_constraints = [](const Point&) { return std::vector<double>{1.0}; };
+  SearchOptions options = budget(10);
+  options.starts = {{1.0, 2.0}};
+  Search search(problem, options);
+  EXPECT_FALSE(search.ask().has_value());
+  EXPECT_EQ(search.stop_reason(), StopReason::no_allowed_design);
+}
+
+TEST(BayesianSearch, NeighbouringIntegersAreDifferentDesigns) {
+  Problem problem;
+  problem.space = Space({{.name = "n", .kind = VariableKind::integer, .lower = 0, .upper = 5000}});
+  problem.metrics = {{.name = "loss"}};
+  problem.objectives = {{.metric = 0}};
+  Search search(problem, budget(40));
+  run(search, [](const Suggestion& s) {
+    return Observation{.ok = true, .values = {std::abs(s.x[0] - 3217.0)}, .seconds = 1.0};
+  });
+  EXPECT_EQ(best_value(search, 0), 0.0);
+}
+
+TEST(BayesianSearch, ReferenceOfALogarithmicObjectiveIsInReach) {
+  // Maximise a positive metric over two decades against a cost, with the natural reference of 0.
+  Problem problem;
+  problem.space = Space({continuous("a", 0.0, 1.0), continuous("b", 0.0, 1.0)});
+  problem.metrics = {{.name = "force", .transform = surrogate::TransformKind::log},
+                     {.name = "cost"}};
+  problem.objectives = {{.metric = 0, .maximize = true, .reference = 0.0},
+                        {.metric = 1, .reference = 1.5}};
+  Search search(problem, budget(40));
+  const auto asked = run(search, [](const Suggestion& s) {
+    const double b = (s.x[1] - 0.5) * (s.x[1] - 0.5);
+    return Observation{
+        .ok = true, .values = {std::exp(5.0 * s.x[0]) * (1.0 - b), s.x[0] + b}, .seconds = 1.0};
+  });
+  // The front is b = 0.5 from end to end. With a reference 390 standard deviations away the gains
+  // look small beside the hypervolume, and half of the evaluations are spent on doubts.
+  const auto doubts = std::count_if(asked.begin(), asked.end(),
+                                    [](const Suggestion& s) { return s.stage == "explore"; });
+  EXPECT_LE(doubts, 4);
+  EXPECT_GE(search.pareto().size(), 20U);
 }
 
 TEST(BayesianSearch, RefusesNonsense) {

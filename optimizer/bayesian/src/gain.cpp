@@ -29,6 +29,19 @@ surrogate::OutputTransform exact_transform(std::size_t metric, const std::vector
       Eigen::Map<Eigen::VectorXd>(values.data(), index(values.size())));
 }
 
+/// A reference of 0 or less has no place on a logarithmic scale: the box would be some hundred
+/// standard deviations long. It is moved to a tenth of the observed range below the least value, on
+/// that scale.
+double reference_in_reach(const ObjectiveView& view, double reference) {
+  if (view.process == nullptr || view.transform.kind != surrogate::TransformKind::log) {
+    return reference;
+  }
+  const Eigen::VectorXd& values = view.process->data().values;
+  const double least = values.minCoeff(), greatest = values.maxCoeff();
+  if (!(least > 0.0)) return reference;  // the fit takes another transform then
+  return std::max(reference, least * std::pow(least / greatest, 0.1));
+}
+
 }  // namespace
 
 Gain::Gain(const Input& input)
@@ -58,7 +71,7 @@ void Gain::view_objectives(const Input& input) {
                                              : exact_transform(objective.metric, input.told);
     const double in_unit =
         objective.maximize ? -input.reference[index(j)] : input.reference[index(j)];
-    reference_[index(j)] = view.to_view(in_unit);
+    reference_[index(j)] = view.to_view(reference_in_reach(view, in_unit));
     const double best = objective.maximize ? metric.greatest : metric.least;
     ideal_[index(j)] = std::isfinite(best) ? view.to_view(best) : -infinity;
     objectives_.push_back(view);

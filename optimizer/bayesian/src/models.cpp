@@ -50,11 +50,15 @@ void Models::update_process(std::size_t metric, const std::vector<Told>& told) {
   options.transform = problem_.metrics[metric].transform;
   options.known_noise = problem_.metrics[metric].known_noise;
   options.seed = seed_ + 7919 * metric;
-  const bool fits = !process || due(values.size(), fitted_at_[metric]);
+  // A logarithm that was right so far cannot take a value of 0.
+  const bool unfit = process &&
+                     process->parameters().transform.kind == surrogate::TransformKind::log &&
+                     data.values.minCoeff() <= 0.0;
+  const bool fits = !process || due(values.size(), fitted_at_[metric]) || unfit;
   if (!process) fitted_at_[metric] = values.size();
   // A start from the last fit keeps its kind of transform and its hill of the likelihood: every
   // fifth fit forgets both.
-  const bool forgets = !process || (fits && fits_[metric] % 5 == 0);
+  const bool forgets = !process || unfit || (fits && fits_[metric] % 5 == 0);
   if (!forgets) options.warm_start = process->parameters();
   options.keep_parameters = !fits;
   options.starts = forgets ? 4 : 2;

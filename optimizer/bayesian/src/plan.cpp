@@ -11,7 +11,7 @@ namespace {
 std::size_t initial_count(const Problem& problem, const SearchOptions& options) {
   if (options.initial_designs > 0) return static_cast<std::size_t>(options.initial_designs);
   const std::size_t wanted = 2 * problem.space.size() + 2;
-  const auto affordable = static_cast<std::size_t>(std::max(1, options.max_evaluations / 3));
+  const auto affordable = static_cast<std::size_t>(std::max(1, planned_evaluations(options) / 3));
   return std::max<std::size_t>(1, std::min(wanted, affordable));
 }
 
@@ -22,19 +22,38 @@ std::size_t initial_count(const Problem& problem, const SearchOptions& options) 
 /// finest a third of these, so that the levels can be compared.
 void Search::State::make_plan() {
   planned = true;
-  Candidates candidates(problem, options.feasibility_tolerance, options.seed, 0);
   for (const Point& start : options.starts) {
-    plan.push_back({problem.space.canonical(start), 0, "start"});
+    const Point x = problem.space.canonical(start);
+    if (allowed(problem, x, options.feasibility_tolerance)) plan.push_back({x, 0, "start"});
   }
   const bool several_levels = problem.levels.size() > 1;
   std::size_t n = initial_count(problem, options);
   if (several_levels) n += n / 2;
-  const std::size_t known = told.size() + plan.size();
-  if (known >= n) return;
-  const std::vector<Point> spread = candidates.spread(n - known);
-  if (spread.empty() && plan.empty() && told.empty()) stop = StopReason::no_allowed_design;
+  const std::size_t n_starts = plan.size();
+  Candidates candidates(problem, options.feasibility_tolerance, options.seed, 0);
+  std::vector<Point> spread;
+  if (n > n_starts) spread = candidates.spread(n - n_starts);
+  if (n_starts == 0 && spread.empty() && told.empty()) stop = StopReason::no_allowed_design;
+  // What was told already, from this plan (the search was interrupted) or from elsewhere, counts.
+  const auto known = [&](const Point& x) {
+    return std::any_of(told.begin(), told.end(), [&](const Told& t) { return near(x, t.x); });
+  };
+  const auto n_known = static_cast<std::size_t>(std::count_if(spread.begin(), spread.end(), known));
+  std::size_t elsewhere = 0;
+  for (const Told& t : told) {
+    const auto same = [&](const auto& planned_design) { return near(planned_design, t.x); };
+    const bool of_plan =
+        std::any_of(spread.begin(), spread.end(), same) ||
+        std::any_of(plan.begin(), plan.end(), [&](const Planned& p) { return same(p.x); });
+    elsewhere += of_plan ? 0 : 1;
+  }
+  const std::size_t wanted = spread.size() - n_known;
+  std::size_t left = wanted > elsewhere ? wanted - elsewhere : 0;
   const int coarsest = static_cast<int>(problem.levels.size()) - 1;
   for (std::size_t k = 0; k < spread.size(); ++k) {
+    if (!known(spread[k]) && left == 0) continue;
+    left -= known(spread[k]) ? 0 : 1;
+    // Levels that are there already are passed over when their turn comes.
     plan.push_back({spread[k], coarsest, "initial"});
     if (several_levels && k % 3 == 0) plan.push_back({spread[k], 0, "initial"});
   }
@@ -44,8 +63,6 @@ std::optional<Suggestion> Search::State::next_planned() {
   while (!plan.empty()) {
     Planned next = std::move(plan.front());
     plan.pop_front();
-    // A start that the constraints refuse is not evaluated, nor one that is there already.
-    if (!allowed(problem, next.x, options.feasibility_tolerance)) continue;
     if (levels_taken(next.x)[static_cast<std::size_t>(next.level)]) continue;
     return issue(std::move(next.x), next.level, std::move(next.stage), 0.0);
   }

@@ -153,7 +153,9 @@ bool Search::State::near(const Point& a, const Point& b) const {
   }
   const auto u = problem.space.to_unit(a), v = problem.space.to_unit(b);
   for (std::size_t i = 0; i < u.size(); ++i) {
-    if (std::abs(u[i] - v[i]) > options.duplicate_distance) return false;
+    const bool whole = problem.space.variables()[i].kind != VariableKind::continuous;
+    const double within = whole ? 0.0 : options.duplicate_distance;
+    if (std::abs(u[i] - v[i]) > within) return false;
   }
   return true;
 }
@@ -180,8 +182,11 @@ std::vector<bool> Search::State::levels_taken(const Point& x) const {
 /// confirmed.
 bool Search::State::confirming() const {
   if (problem.levels.size() == 1) return false;
-  const int reserve = std::clamp(options.max_evaluations / 6, 1, 10);
+  const int first_budget = planned_evaluations(options);
+  const int reserve = std::clamp(first_budget / 6, 1, 10);
+  const int used = static_cast<int>(told.size() + pending.size());
   if (remaining() <= reserve) return true;
+  if (first_budget - reserve <= used && used < first_budget) return true;
   if (options.max_seconds <= 0.0) return false;
   return options.max_seconds - spent <= reserve * level_seconds().front();
 }

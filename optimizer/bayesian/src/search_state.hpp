@@ -12,6 +12,11 @@
 
 namespace parapet::bayesian {
 
+/// The budget that the initial designs and the confirmations are laid out for.
+inline int planned_evaluations(const SearchOptions& options) {
+  return options.planned_evaluations > 0 ? options.planned_evaluations : options.max_evaluations;
+}
+
 /// A design that is to be evaluated before the surrogates are asked.
 struct Planned {
   Point x;

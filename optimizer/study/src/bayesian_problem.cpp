@@ -227,7 +227,11 @@ SearchProblem make_search_problem(const designs::StudySpec& study) {
 bayesian::SearchOptions make_search_options(const designs::StudySpec& study) {
   bayesian::SearchOptions options;
   options.max_evaluations = study.method.max_evaluations;
-  options.initial_designs = study.method.start_count;
+  // "further" designs: beside the starts
+  if (study.method.start_count > 0) {
+    options.initial_designs =
+        static_cast<int>(study.method.starts.size()) + study.method.start_count;
+  }
   for (const designs::Design& start : study.method.starts) {
     options.starts.push_back(to_point(study, start));
   }

@@ -168,6 +168,10 @@ SearchKind search_kind(const StudySpec& study) {
   return several ? SearchKind::scalarized : SearchKind::weighted_sum;
 }
 
+bool is_laid_out_for_budget(const StudySpec& study) {
+  return search_kind(study) == SearchKind::scalarized || algorithm_of(study) == "LATIN_HYPERCUBE";
+}
+
 Experiments lay_out_experiments(const StudySpec& study) {
   Layout layout(study);
   for (const designs::Design& start : study.method.starts) layout.add(start);

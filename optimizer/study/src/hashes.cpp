@@ -1,5 +1,7 @@
 #include "parapet/study/hashes.hpp"
 
+#include "parapet/study/experiments.hpp"
+
 namespace parapet::study {
 namespace {
 
@@ -29,6 +31,9 @@ std::string study_hash(const designs::StudySpec& study) {
     for (const char* limit : {"max_evaluations", "max_time_s", "max_cpu_time_s",
                               "stagnation_evaluations", "least_gain"}) {
       json["method"].erase(limit);
+    }
+    if (is_laid_out_for_budget(study)) {
+      json["method"]["max_evaluations"] = study.method.max_evaluations;
     }
   }
   return designs::spec_hash(json);

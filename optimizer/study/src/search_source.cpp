@@ -71,13 +71,20 @@ bool SearchSource::within_budget() const {
 std::optional<Proposal> SearchSource::ask() {
   const auto suggestion = search_.ask();
   if (!suggestion) return std::nullopt;
-  questions_.emplace_back(suggestion->id);
-  ++open_;
   Proposal proposal;
   proposal.stage = suggestion->stage;
   proposal.design = to_design(context_.study, problem_.problem.space, suggestion->x);
   proposal.spacing = problem_.spacings[static_cast<std::size_t>(suggestion->level)];
-  if (order_ == AnswerOrder::by_log) tell_log_before(proposal);
+  if (order_ == AnswerOrder::by_log) {
+    tell_log_before(proposal);
+    const bool known = context_.folder.log().find(proposal.design, proposal.spacing) != nullptr;
+    // The rest of the log has used the budget up; the question was put without knowing it.
+    if (!known && search_.evaluations() >= context_.study.method.max_evaluations) {
+      return std::nullopt;
+    }
+  }
+  questions_.emplace_back(suggestion->id);
+  ++open_;
   return proposal;
 }
 

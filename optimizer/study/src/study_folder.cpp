@@ -49,7 +49,7 @@ std::vector<std::string> prepare_folder(const std::filesystem::path& folder,
                                         const designs::StudySpec& study,
                                         const reports::ProgramInfo& program) {
   std::vector<std::string> notes;
-  const Json wanted = state_json(study, program);
+  Json wanted = state_json(study, program);
   const Json state = read_state(folder);
   if (!state.is_null()) {
     const bool ours = state.is_object() && state.value("format", Json()) == state_format;
@@ -69,6 +69,7 @@ std::vector<std::string> prepare_folder(const std::filesystem::path& folder,
                       " of the program; what it evaluated is kept");
     }
   }
+  if (state.is_object() && state.contains("begun_with")) wanted["begun_with"] = state["begun_with"];
   if (state != wanted) {
     reports::write_file_atomically(folder / "study.json", reports::json_text(wanted));
   }
@@ -127,6 +128,18 @@ StudyFolder::StudyFolder(std::filesystem::path folder, const designs::StudySpec&
   reports::make_folder(folder_ / "evaluations");
   if (!log_.repair_note().empty()) notes_.push_back(log_.repair_note());
   unfinished_ = find_unfinished(folder_ / "evaluations", log_);
+}
+
+void StudyFolder::begin(const BegunWith& with) {
+  const std::filesystem::path file = folder_ / "study.json";
+  Json state = designs::read_json(file);
+  Json& begun = state["begun_with"];
+  if (!begun.is_object()) {
+    begun = {{"jobs", with.jobs}, {"max_evaluations", with.max_evaluations}};
+    reports::write_file_atomically(file, reports::json_text(state));
+  }
+  begun_with_ = {.jobs = begun.value("jobs", with.jobs),
+                 .max_evaluations = begun.value("max_evaluations", with.max_evaluations)};
 }
 
 void StudyFolder::store(const reports::EvaluationRecord& record, const Json& report) {

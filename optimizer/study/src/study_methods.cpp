@@ -64,7 +64,7 @@ std::optional<StudySummary> pool_summary(PoolEnd end, const designs::Method& met
   return std::nullopt;
 }
 
-StudySummary stop_summary(bayesian::StopReason reason, const bayesian::Search& search) {
+StudySummary stop_summary(bayesian::StopReason reason, const designs::Method& method) {
   using bayesian::StopReason;
   const auto done = [&](Termination termination, const std::string& message) {
     return ended(StudyState::done, optimizer::to_string(termination), message);
@@ -72,7 +72,7 @@ StudySummary stop_summary(bayesian::StopReason reason, const bayesian::Search& s
   switch (reason) {
     case StopReason::budget:
       return done(Termination::budget,
-                  fmt::format("the budget of {} evaluations is used up", search.evaluations()));
+                  fmt::format("the budget of {} evaluations is used up", method.max_evaluations));
     case StopReason::seconds:
       return done(Termination::budget, "the budget of processor time is used up");
     case StopReason::stagnation:
@@ -98,17 +98,20 @@ AnswerOrder answer_order(const designs::Method& method, int jobs) {
 StudySummary search_bayesian(const StudyContext& context, int jobs, OutputWriter& writer) {
   const designs::Method& method = context.study.method;
   const SearchProblem problem = make_search_problem(context.study);
-  bayesian::Search search(problem.problem, make_search_options(context.study));
+  bayesian::SearchOptions options = make_search_options(context.study);
+  const BegunWith begun = context.folder.begun_with();
+  options.planned_evaluations = begun.max_evaluations;
+  bayesian::Search search(problem.problem, options);
   writer.attach(problem, search);
   const std::size_t events = std::max<std::size_t>(1, context.study.scenarios.size());
   SearchSource source(context, problem, search, answer_order(method, jobs),
-                      open_questions(jobs, events));
+                      open_questions(begun.jobs, events));
   EvaluationPool pool(context, source, jobs, pool_limits(method), [&] { writer.search_told(); });
   const PoolEnd end = pool.run();
   source.finish();
   auto summary = pool_summary(end, method);
   if (!summary) summary = all_failed(context);
-  if (!summary) summary = stop_summary(search.stop_reason(), search);
+  if (!summary) summary = stop_summary(search.stop_reason(), method);
   // The search and its problem end here: what they know is written now.
   return writer.end(*std::move(summary));
 }

@@ -32,6 +32,7 @@ StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& o
   if (options.hooks.on_message) {
     for (const std::string& note : folder.notes()) options.hooks.on_message(note);
   }
+  folder.begin({.jobs = options.jobs, .max_evaluations = study.method.max_evaluations});
   OutputWriter writer(study, folder, options.hooks);
   writer.record_added();
   Hooks hooks = options.hooks;

@@ -104,6 +104,55 @@ TEST_F(SearchLoop, LargerBudgetGoesOn) {
   EXPECT_EQ(records("out").size(), 14U);
 }
 
+// The questions of a repeatable search hang on the number of jobs that it was begun with: moved to
+// a machine with more or fewer cores it goes on with the same ones.
+TEST_F(SearchLoop, RepeatableSearchResumesWithOtherJobs) {
+  Json json = fake_study();
+  json["method"]["repeatable"] = true;
+  const auto study = parsed(json);
+  run(study, "calm", FakeSimulator(), 4);
+  for (const int jobs : {1, 2, 6}) {
+    const std::string out = "moved-" + std::to_string(jobs);
+    const FakeSimulator disturbed({.delays = true, .fails = {}, .cancel_after = 12});
+    run(study, out, disturbed, 4);
+    const FakeSimulator again;
+    run(study, out, again, jobs);
+    EXPECT_EQ(records(out), records("calm")) << jobs;
+    EXPECT_EQ(repetitions(disturbed, again), 0) << jobs;
+    const FakeSimulator idle;
+    run(study, out, idle, jobs);
+    EXPECT_EQ(idle.ended(), 0) << "a finished study simulates nothing";
+  }
+}
+
+// A larger budget continues: the initial designs stay those of the first budget.
+TEST_F(SearchLoop, LargerBudgetRepeatsNothing) {
+  for (const bool repeatable : {false, true}) {
+    Json json = fake_study();
+    json["method"]["repeatable"] = repeatable;
+    json["method"]["max_evaluations"] = 9;
+    const std::string out = repeatable ? "larger-repeatable" : "larger";
+    const FakeSimulator first, second;
+    run(parsed(json), out, first);
+    EXPECT_EQ(first.ended(), 9);
+    json["method"]["max_evaluations"] = 15;
+    run(parsed(json), out, second);
+    EXPECT_EQ(second.ended(), 6);
+    EXPECT_EQ(repetitions(first, second), 0);
+    EXPECT_EQ(records(out).size(), 15U);
+  }
+}
+
+// What several jobs have finished, one job finds finished.
+TEST_F(SearchLoop, FinishedStudyIsFinishedForAnyJobs) {
+  const auto study = parsed(fake_study());
+  run(study, "study", FakeSimulator(), 4);
+  const FakeSimulator idle;
+  const auto summary = run(study, "study", idle, 1);
+  EXPECT_EQ(idle.ended(), 0);
+  EXPECT_EQ(summary.state, study::StudyState::done);
+}
+
 TEST_F(SearchLoop, EventsThatEndedBeforeAStopAreNotSimulatedAgain) {
   const auto study = parsed(fake_study_with_scenarios());
   run(study, "calm", FakeSimulator());

@@ -17,6 +17,11 @@ enum class SearchKind {
 };
 SearchKind search_kind(const designs::StudySpec& study);
 
+/// Whether max_evaluations decides which designs are asked for, not only how many: a Latin
+/// hypercube of more designs is another one, and so are scalarised problems that share a larger
+/// budget.
+bool is_laid_out_for_budget(const designs::StudySpec& study);
+
 /// What is to be simulated, in this order.
 struct Experiments {
   std::vector<designs::Design> designs;  ///< each once; the first n_starts are the spec's

@@ -25,6 +25,13 @@ struct UnfinishedDesign {
   std::map<std::string, Simulation> simulations;  ///< by scenario: those that ended
 };
 
+/// What a search was begun with. It decides the questions of a repeatable search, so it stays when
+/// the study is continued with other values.
+struct BegunWith {
+  int jobs = 1;
+  int max_evaluations = 0;
+};
+
 /// The folder of one study, locked for writing while this lives.
 class StudyFolder {
  public:
@@ -37,6 +44,11 @@ class StudyFolder {
               const reports::ProgramInfo& program, std::chrono::milliseconds patience = {});
 
   const reports::EvaluationLog& log() const { return log_; }
+
+  /// Notes in study.json what the search is begun with, unless it was begun before.
+  /// @throws reports::FileError
+  void begin(const BegunWith& with);
+  const BegunWith& begun_with() const { return begun_with_; }
 
   /// Writes evaluations/ID.json, then the log's line; both are on disk when it returns.
   /// @throws reports::FileError
@@ -70,6 +82,7 @@ class StudyFolder {
 
  private:
   std::filesystem::path folder_;
+  BegunWith begun_with_;
   std::vector<std::string> notes_;
   FolderLock lock_;
   reports::EvaluationLog log_;
