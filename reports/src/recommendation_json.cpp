@@ -47,7 +47,8 @@ Json objectives_json(const LoggedDesign& design) {
     Json one = objective_words(objective);
     one["weight"] = objective.weight;
     one["value"] = optional_json(objective.value);
-    one["absent"] = objective.absent;
+    // With scenarios the metric may be missing in some of them only: then its mean has a value.
+    one["absent"] = objective.absent && !design.metric(objective.of);
     list.push_back(std::move(one));
   }
   return list;
