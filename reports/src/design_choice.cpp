@@ -168,8 +168,8 @@ void rank(Choice& choice, std::vector<Candidate> list) {
                           return known(candidate) && !candidate.doubtful();
                         });
   if (!choice.all_doubtful) {
-    std::ranges::stable_partition(list,
-                                  [](const Candidate& candidate) { return !candidate.doubtful(); });
+    std::stable_partition(list.begin(), list.end(),
+                          [](const Candidate& candidate) { return !candidate.doubtful(); });
   }
   choice.ranked = std::move(list);
 }
