@@ -70,17 +70,17 @@ TEST_F(Sensitivity, RecoversAVariableThatExistsUnderOneOption) {
   write_log(study, folder, simulator, 48);
   const Json json = computed(study);
   EXPECT_EQ(source, "evaluations.jsonl");
-  // 0.06: three standard errors of the estimators at 1024 points (measured 0.02 at most) and the
-  // surrogate's error.
+  // Measured: less than 0.01 off. Limit 0.03: what 1024 points and the surrogate of 48 designs
+  // may scatter to elsewhere.
   const Json& retention = metric(json, "retention_efficiency");
-  expect_index(retention, 0, 0.0, 0.0, 0.06);
-  expect_index(retention, 1, 0.6, 0.8, 0.06);
-  expect_index(retention, 2, 0.2, 0.4, 0.06);
+  expect_index(retention, 0, 0.0, 0.0, 0.03);
+  expect_index(retention, 1, 0.6, 0.8, 0.03);
+  expect_index(retention, 2, 0.2, 0.4, 0.03);
   const double h = 1.0 / 48.0, b = 1.0 / 100.0;
   const Json& launch = metric(json, "launch_length_m");
-  expect_index(launch, 0, h / (h + b), h / (h + b), 0.06);
-  expect_index(launch, 1, b / (h + b), b / (h + b), 0.06);
-  expect_index(launch, 2, 0.0, 0.0, 0.06);
+  expect_index(launch, 0, h / (h + b), h / (h + b), 0.03);
+  expect_index(launch, 1, b / (h + b), b / (h + b), 0.03);
+  expect_index(launch, 2, 0.0, 0.0, 0.03);
   // The main effect of the choice has its options' names and their difference.
   const Json& effect = launch["variables"][1]["main_effect"];
   EXPECT_EQ(effect["at"], Json({"none", "plate"}));
