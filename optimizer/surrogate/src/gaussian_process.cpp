@@ -8,6 +8,7 @@
 #include "covariance.hpp"
 #include "fit.hpp"
 #include "marginal_likelihood.hpp"
+#include "triangular.hpp"
 
 namespace parapet::surrogate {
 namespace {
@@ -152,8 +153,8 @@ void GaussianProcess::condition(bool keep_means) {
     residual(i) -= parameters_.levels[level].mean;
   }
   weights_ = residual;
-  factor_.triangularView<Eigen::Lower>().solveInPlace(weights_);
-  factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(weights_);
+  solve_lower(factor_, weights_);
+  solve_lower_transposed(factor_, weights_);
   log_likelihood_ = -0.5 * residual.dot(weights_) - factor_.diagonal().array().log().sum() -
                     0.5 * static_cast<double>(n) * log_two_pi;
 }
@@ -170,7 +171,7 @@ void GaussianProcess::require_features(const Eigen::MatrixXd& inputs, int level)
 Eigen::MatrixXd GaussianProcess::whitened(const Eigen::MatrixXd& inputs, int level) const {
   Eigen::MatrixXd k =
       prior_covariance(layout_, parameters_.levels, data_.inputs, data_.levels, inputs, level);
-  factor_.triangularView<Eigen::Lower>().solveInPlace(k);
+  solve_lower(factor_, k);
   return k;
 }
 
@@ -181,7 +182,7 @@ Prediction GaussianProcess::predict(const Eigen::MatrixXd& inputs, int level) co
   Prediction prediction;
   prediction.mean =
       (k.transpose() * weights_).array() + parameters_.levels[static_cast<std::size_t>(level)].mean;
-  factor_.triangularView<Eigen::Lower>().solveInPlace(k);
+  solve_lower(factor_, k);
   prediction.variance =
       (prior_variance(parameters_.levels, level) - k.colwise().squaredNorm().transpose().array())
           .max(0.0);

@@ -4,6 +4,7 @@
 #include "covariance.hpp"
 #include "normal.hpp"
 #include "parapet/surrogate/gaussian_process.hpp"
+#include "triangular.hpp"
 #include "unit_points.hpp"
 
 namespace parapet::surrogate {
@@ -26,7 +27,7 @@ PosteriorSamples::PosteriorSamples(const GaussianProcess& process, const Eigen::
   values_ = (factor_ * weights_).transpose();
   values_.rowwise() += joint.mean.transpose();
   // C^-1 (values - mean) = L'^-1 normals.
-  factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(weights_);
+  solve_lower_transposed(factor_, weights_);
 }
 
 void PosteriorSamples::predict(const Eigen::MatrixXd& inputs, Eigen::MatrixXd& mean,
@@ -39,7 +40,7 @@ void PosteriorSamples::predict(const Eigen::MatrixXd& inputs, Eigen::MatrixXd& m
       whitened_.transpose() * process_.whitened(inputs, 0);
   mean = weights_.transpose() * c;
   mean.rowwise() += prior.mean.transpose();
-  factor_.triangularView<Eigen::Lower>().solveInPlace(c);
+  solve_lower(factor_, c);
   variance = (prior.variance - c.colwise().squaredNorm().transpose()).cwiseMax(0.0);
 }
 

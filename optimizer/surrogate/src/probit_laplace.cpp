@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "normal.hpp"
+#include "triangular.hpp"
 
 namespace parapet::surrogate {
 namespace {
@@ -45,8 +46,8 @@ Eigen::MatrixXd factorize(const Eigen::MatrixXd& covariance, const Eigen::Vector
 
 /// B^-1 v for the factor of B.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& factor, Eigen::MatrixXd v) {
-  factor.triangularView<Eigen::Lower>().solveInPlace(v);
-  factor.transpose().triangularView<Eigen::Upper>().solveInPlace(v);
+  solve_lower(factor, v);
+  solve_lower_transposed(factor, v);
   return v;
 }
 
@@ -140,7 +141,7 @@ double ProbitEvidence::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradi
   // R = (K + W^-1)^-1; C = L^-1 W^1/2 K; the evidence's slope by the latent values through W.
   const Eigen::MatrixXd inverse = root * solve(at.factor, Eigen::MatrixXd(root));
   Eigen::MatrixXd c = root * k;
-  at.factor.triangularView<Eigen::Lower>().solveInPlace(c);
+  solve_lower(at.factor, c);
   const Eigen::VectorXd by_latent =
       0.5 * (k.diagonal() - c.colwise().squaredNorm().transpose()).cwiseProduct(at.third);
   // The mode moves with the parameters: d latent = (I - K R) dK gradient.
