@@ -26,8 +26,8 @@ struct Metric {
 struct Objective {
   std::size_t metric = 0;
   bool maximize = false;
-  std::optional<double>
-      reference;  ///< in the metric's unit; chosen from the first designs if empty
+  /// In the metric's unit; chosen from the first designs if empty.
+  std::optional<double> reference = {};
 };
 
 /// lower <= metric <= upper.
