@@ -11,8 +11,9 @@ namespace parapet::study {
 std::string case_hash(const designs::CaseSpec& spec);
 
 /// Hash of everything in a study that decides what is evaluated and how it is judged: not its name
-/// or description, nor the limits max_evaluations and max_time_s, so that a study can be continued
-/// with a larger budget.
+/// or description, nor when it ends (max_evaluations, max_time_s and the like), so that a study can
+/// be continued with a larger budget; except where max_evaluations decides which designs are asked
+/// for (is_laid_out_for_budget).
 std::string study_hash(const designs::StudySpec& study);
 
 }  // namespace parapet::study
