@@ -20,18 +20,17 @@ void add(BarrierImpulse& sum, const BarrierImpulse& impulse) {
 
 }  // namespace
 
-void LoadGauge::observe(Flow& flow) {
-  std::vector<BarrierImpulse> impulses = flow.take_impulses();
+void LoadGauge::observe(std::vector<BarrierImpulse> impulses, double time_step, double time) {
   for (std::size_t k = 0; k < impulses.size(); ++k) add(interval_[k], impulses[k]);
-  interval_time_ += flow.last_time_step();
-  window_time_ += flow.last_time_step();
-  window_.push_back({flow.last_time_step(), std::move(impulses)});
+  interval_time_ += time_step;
+  window_time_ += time_step;
+  window_.push_back({time_step, std::move(impulses)});
   constexpr double enough = peak_window * (1.0 - 1e-9);
   while (window_time_ - window_.front().time >= enough) {
     window_time_ -= window_.front().time;
     window_.pop_front();
   }
-  if (window_time_ >= enough) update_peaks(flow.time());
+  if (window_time_ >= enough) update_peaks(time);
 }
 
 void LoadGauge::update_peaks(double time) {

@@ -25,8 +25,8 @@ struct PeakLoad {
 class LoadGauge {
  public:
   explicit LoadGauge(std::size_t n_barriers) : interval_(n_barriers), peaks_(n_barriers) {}
-  // After every time step.
-  void observe(Flow& flow);
+  // After every time step: its impulses on the barriers [n_barriers], its length and its end [s].
+  void observe(std::vector<BarrierImpulse> impulses, double time_step, double time);
   // Mean loads since the last reading.
   std::vector<BarrierLoad> read();
   const std::vector<PeakLoad>& peaks() const { return peaks_; }

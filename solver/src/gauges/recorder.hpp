@@ -20,7 +20,7 @@ class Recorder {
 
   void after_step(Flow& flow) {
     launch_.observe(flow.fluid(), flow.time());
-    loads_.observe(flow);
+    loads_.observe(flow.take_impulses(), flow.last_time_step(), flow.time());
   }
   void sample(Flow& flow);
   bool settled(const SettledRule& rule) const;

@@ -1,33 +1,23 @@
-// Gauges on particles moved by hand.
+// The gauge of the overflow on a particle moved by hand.
+#include "gauges/launch.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "gauges/launch.hpp"
+#include "placed_particles.hpp"
 
 namespace parapet::solver {
 namespace {
 
-// A level channel, so that channel axes are the world's; a deflector's tip at (0.95, 0.15).
-struct OverflowScene {
-  Scene scene;
-  GaugeScene gauge;
-
-  OverflowScene() {
-    scene.slope = 0.0;
-    gauge.scene = &scene;
-    gauge.lines = {{{1.0, 0.0}, {1.0, 0.0}}};
-    gauge.edge = {{0.95, 0.15}, {1.0, 0.0}};
-    gauge.released_mass = 1.0;
-    gauge.spacing = 0.005;
-  }
+// A deflector's tip at (0.95, 0.15).
+struct OverflowScene : LevelChannel {
+  OverflowScene() { gauge.edge = {{0.95, 0.15}, {1.0, 0.0}}; }
 };
 
 Fluid one_particle(double mass) {
-  Fluid fluid;
-  fluid.assign(std::vector<InitialParticle>{{0.0, 0.2, 0.0, 0.0, 1000.0, mass}});
-  return fluid;
+  return fluid_of({{0.0, 0.2, mass}});
 }
 
 void put(Fluid& f, double x, double z, double u, double w) {
