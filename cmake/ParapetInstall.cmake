@@ -9,7 +9,7 @@ include(CMakePackageConfigHelpers)
 
 set(parapet_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/parapet)
 set(parapet_components "")
-foreach(component solver designs optimizer surrogate acquisition bayesian reports study)
+foreach(component math solver designs records optimizer surrogate acquisition bayesian study reports)
   if(NOT TARGET parapet_${component})
     continue()
   endif()

@@ -6,7 +6,7 @@
 #include <pagmo/problem.hpp>
 
 #include "methods.hpp"
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 #include "scrambled_sobol.hpp"
 
 namespace parapet::bench::search {
@@ -84,7 +84,7 @@ std::vector<Eigen::VectorXd> brute_force_front(const BenchProblem& problem, int 
   std::size_t enough = 4000;  // then what is dominated is thrown out
   const auto prune = [&] {
     std::vector<Eigen::VectorXd> front;
-    for (const std::size_t i : acquisition::non_dominated(found)) front.push_back(found[i]);
+    for (const std::size_t i : math::non_dominated(found)) front.push_back(found[i]);
     found = std::move(front);
     enough = std::max<std::size_t>(4000, 2 * found.size());
   };

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "oracle.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 #include "tables_text.hpp"
 
 namespace parapet::bench::search {
@@ -123,7 +123,7 @@ std::string zoo_section(const Json& zoo) {
 void report(const std::filesystem::path& list, const std::filesystem::path& tables,
             const std::filesystem::path& out, const std::filesystem::path& docs,
             const std::string& revision) {
-  reports::make_folder(docs);
+  records::make_folder(docs);
   Json json = {{"format", "parapet-search-comparison-result/1"}, {"revision", revision}};
   std::string text = fmt::format(
       "# Search methods side by side: results\n\nWritten by `bench/search/run` at "
@@ -149,8 +149,8 @@ void report(const std::filesystem::path& list, const std::filesystem::path& tabl
     text += overhead_section(json["overhead"]);
   }
   text.pop_back();  // one end of line is enough
-  reports::write_file_atomically(docs / "comparison.json", json.dump() + "\n");
-  reports::write_file_atomically(docs / "results.md", text);
+  records::write_file_atomically(docs / "comparison.json", json.dump() + "\n");
+  records::write_file_atomically(docs / "results.md", text);
   fmt::print("{}", text);
 }
 

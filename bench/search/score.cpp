@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "median.hpp"
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 #include "scrambled_sobol.hpp"
 
 namespace parapet::bench::search {
@@ -16,7 +16,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 std::vector<Eigen::VectorXd> non_dominated_of(const std::vector<Eigen::VectorXd>& points) {
   std::vector<Eigen::VectorXd> front;
-  for (const std::size_t i : acquisition::non_dominated(points)) front.push_back(points[i]);
+  for (const std::size_t i : math::non_dominated(points)) front.push_back(points[i]);
   return front;
 }
 
@@ -61,7 +61,7 @@ Yardstick make_yardstick(const BenchProblem& problem, std::vector<Eigen::VectorX
     yardstick.reference[column] = std::max(median(values[j]), worst + 0.1 * (worst - best));
   }
   yardstick.front = std::move(front);
-  yardstick.volume = acquisition::hypervolume(yardstick.front, yardstick.reference);
+  yardstick.volume = math::hypervolume(yardstick.front, yardstick.reference);
   if (!(yardstick.volume > 0.0)) {
     throw std::invalid_argument(problem.name + ": no design is better than the median one in " +
                                 "every objective");
@@ -82,7 +82,7 @@ void extend(Yardstick& yardstick, const BenchProblem& problem, const std::vector
     }
   }
   yardstick.front = points;
-  yardstick.volume = acquisition::hypervolume(points, yardstick.reference);
+  yardstick.volume = math::hypervolume(points, yardstick.reference);
 }
 
 Curve score(const BenchProblem& problem, const Yardstick& yardstick, const Run& run) {
@@ -96,7 +96,7 @@ Curve score(const BenchProblem& problem, const Yardstick& yardstick, const Run& 
       if (verdict.feasible) {
         front.push_back(verdict.objectives);
         front = non_dominated_of(front);
-        share = acquisition::hypervolume(front, yardstick.reference) / yardstick.volume;
+        share = math::hypervolume(front, yardstick.reference) / yardstick.volume;
       }
     }
     curve.share.push_back(share);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hash_noise.hpp"
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 
 namespace parapet::bench::search {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "parapet/reports/result_json.hpp"
+#include "parapet/records/result_json.hpp"
 
 namespace parapet::cli {
 namespace {
@@ -49,7 +49,7 @@ std::filesystem::path output_folder(const CommonOptions& options, const std::str
   if (!options.out.empty()) return options.out;
   std::string folder = file_name_of(name);
   if (!verb.empty()) folder += "-" + verb;
-  if (options.spacing_mm) folder += "-" + reports::shortest_number(*options.spacing_mm) + "mm";
+  if (options.spacing_mm) folder += "-" + records::shortest_number(*options.spacing_mm) + "mm";
   return std::filesystem::path("runs") / folder;
 }
 

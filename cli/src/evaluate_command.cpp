@@ -8,9 +8,9 @@
 
 #include "common_options.hpp"
 #include "interrupt.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
+#include "parapet/records/study_folder.hpp"
 #include "parapet/study/design_run.hpp"
-#include "parapet/study/study_folder.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
 #include "spec_files.hpp"
@@ -18,7 +18,7 @@
 namespace parapet::cli {
 namespace {
 
-using reports::EvaluationRecord;
+using records::EvaluationRecord;
 
 struct EvaluateOptions : CommonOptions {
   std::string spec;
@@ -34,7 +34,7 @@ std::pair<std::string, std::string> design_source(const std::string& argument) {
   }
   if (argument.starts_with('@')) {
     const std::string file = argument.substr(1);
-    return {reports::read_file(file), file};
+    return {records::read_file(file), file};
   }
   return {argument, "--design"};
 }
@@ -54,9 +54,9 @@ std::optional<EvaluationRecord> find_logged(const Session& session, const Evalua
                                             const designs::StudySpec& study,
                                             const designs::Design& design) {
   if (options.log_folder.empty()) return std::nullopt;
-  const study::StudyFolder folder(options.log_folder, study, session.program, log_patience);
+  const records::StudyFolder folder(options.log_folder, study, session.program, log_patience);
   for (const std::string& note : folder.notes()) session.log->warn("{}", note);
-  const EvaluationRecord* known = folder.log().find(design, study::finest_spacing(study));
+  const EvaluationRecord* known = folder.log().find(design, designs::finest_spacing(study));
   return known == nullptr ? std::nullopt : std::optional(*known);
 }
 
@@ -64,19 +64,22 @@ std::optional<EvaluationRecord> find_logged(const Session& session, const Evalua
 EvaluationRecord store(const Session& session, const EvaluateOptions& options,
                        const designs::StudySpec& study, const study::DesignRun& run) {
   EvaluationRecord record = run.record();
-  record.id = reports::evaluation_id(1);
+  record.id = records::evaluation_id(1);
   record.stage = "external";
   if (options.log_folder.empty()) return record;
-  study::StudyFolder folder(options.log_folder, study, session.program, log_patience);
+  records::StudyFolder folder(options.log_folder, study, session.program, log_patience);
   if (const auto* known = folder.log().find(record.design, record.spacing)) return *known;
   int number = static_cast<int>(folder.log().records().size()) + 1;
-  while (!folder.id_is_free(reports::evaluation_id(number), record.design, record.spacing)) {
+  while (!folder.id_is_free(records::evaluation_id(number), record.design, record.spacing)) {
     ++number;
   }
-  record.id = reports::evaluation_id(number);
-  const designs::Json provenance = study::study_provenance(study, session.program);
+  record.id = records::evaluation_id(number);
+  const designs::Json provenance = records::study_provenance(study, session.program);
   for (std::size_t event = 0; event < run.size(); ++event) {
-    folder.store_simulation(record.id, run, event, provenance);
+    const designs::Scenario* scenario = run.scenario(event);
+    if (scenario == nullptr) continue;
+    folder.store_simulation(record.id, run.design(), run.spacing(), *scenario, event,
+                            run.simulation(event).value(), provenance);
   }
   folder.store(record, run.report(session.program));
   return record;
@@ -93,7 +96,7 @@ int evaluate_command(const Session& session, const EvaluateOptions& options) {
       monitor.running(study.name, progress);
       return !interrupted();
     };
-    const auto run = study::run_design(study, design, study::finest_spacing(study),
+    const auto run = study::run_design(study, design, designs::finest_spacing(study),
                                        study::solver_simulator(), options.jobs, callbacks);
     if (!run) {
       session.log->error("interrupted; nothing was logged");
@@ -101,7 +104,7 @@ int evaluate_command(const Session& session, const EvaluateOptions& options) {
     }
     record = store(session, options, study, *run);
   }
-  fmt::print("{}\n", reports::to_json(*record).dump());
+  fmt::print("{}\n", records::to_json(*record).dump());
   if (record->ok) return exit_done;
   session.log->error("the evaluation failed: {}", record->reason);
   return exit_failed;

@@ -24,14 +24,14 @@ std::string front_text(int designs, double hypervolume) {
                      hypervolume);
 }
 
-std::string outcome_text(const reports::EvaluationRecord& record) {
+std::string outcome_text(const records::EvaluationRecord& record) {
   if (!record.ok) return "failed: " + record.reason;
   const std::string violated = violated_text(record);
   return objectives_text(record) + (violated.empty() ? "" : ", not feasible: " + violated);
 }
 
 /// "0007 (search, 5 mm)".
-std::string heading(const reports::EvaluationRecord& record) {
+std::string heading(const records::EvaluationRecord& record) {
   return fmt::format("{} ({}, {:g} mm)", record.id, record.stage, 1000.0 * record.spacing);
 }
 
@@ -41,7 +41,7 @@ class Progress {
   Progress(const Session& session, const designs::StudySpec& study, std::string folder)
       : session_(session),
         several_objectives_(study.objectives.size() > 1),
-        finest_(study::finest_spacing(study)),
+        finest_(designs::finest_spacing(study)),
         folder_(std::move(folder)),
         monitor_(session, study.method.max_evaluations, "designs") {}
 
@@ -56,14 +56,14 @@ class Progress {
     hooks.on_front = [this](int designs, double hypervolume) {
       if (several_objectives_) monitor_.best(front_text(designs, hypervolume));
     };
-    hooks.on_evaluated = [this](const reports::EvaluationRecord& record, bool from_log) {
+    hooks.on_evaluated = [this](const records::EvaluationRecord& record, bool from_log) {
       evaluated(record, from_log);
     };
     return hooks;
   }
 
  private:
-  void evaluated(const reports::EvaluationRecord& record, bool from_log) {
+  void evaluated(const records::EvaluationRecord& record, bool from_log) {
     monitor_.ended(record.id, from_log);
     if (from_log && from_log_count_++ == 0) {
       session_.log->info("resuming: designs in {} are not simulated again", folder_);

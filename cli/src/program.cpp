@@ -10,7 +10,7 @@
 
 #include "interrupt.hpp"
 #include "parapet/designs/error.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 #include "session.hpp"
 
 namespace parapet::cli {
@@ -99,7 +99,7 @@ int run_guarded(Session& session, int argc, char** argv) {
   } catch (const designs::InputError& error) {
     say_each(session, error);
     return exit_bad_input;
-  } catch (const reports::FileError& error) {
+  } catch (const records::FileError& error) {
     session.log->error("{}", error.what());
     return exit_bad_input;
   } catch (const std::filesystem::filesystem_error& error) {

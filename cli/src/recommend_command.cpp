@@ -6,9 +6,9 @@
 
 #include "common_options.hpp"
 #include "interrupt.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
+#include "parapet/records/result_json.hpp"
 #include "parapet/reports/recommendation.hpp"
-#include "parapet/reports/result_json.hpp"
 #include "parapet/study/confirm.hpp"
 #include "parapet/study/sensitivity.hpp"
 #include "run_monitor.hpp"
@@ -50,18 +50,18 @@ void write_sensitivity(const Session& session, const designs::StudySpec& study,
     return;
   }
   const designs::Json json = study::sensitivity_json(study, surrogates, source);
-  reports::write_file_atomically(folder / "sensitivity.json", reports::json_text(json));
+  records::write_file_atomically(folder / "sensitivity.json", records::json_text(json));
 }
 
 study::ConfirmOutcome confirm(const Session& session, const RecommendOptions& options,
-                              const designs::StudySpec& study, const reports::PickRule& rule) {
+                              const designs::StudySpec& study, const study::PickRule& rule) {
   std::optional<RunMonitor> monitor;
   study::ConfirmOptions confirm;
   confirm.folder = options.folder;
   if (options.confirm_spacing_mm) confirm.spacing = *options.confirm_spacing_mm / 1000.0;
   confirm.repeats = options.repeats;
   confirm.jobs = options.jobs;
-  confirm.on_pick = [&](const reports::Pick& pick, std::size_t runs) {
+  confirm.on_pick = [&](const study::Pick& pick, std::size_t runs) {
     if (runs == 0) return;
     session.log->info("confirming design {}: {} runs", pick.id, runs);
     monitor.emplace(session, static_cast<int>(runs), "runs");
@@ -74,7 +74,7 @@ study::ConfirmOutcome confirm(const Session& session, const RecommendOptions& op
     monitor->running(id, progress);
   };
   confirm.hooks.on_simulation_ended = [&](const std::string& id) { monitor->simulation_ended(id); };
-  confirm.hooks.on_evaluated = [&](const reports::EvaluationRecord& record, bool from_log) {
+  confirm.hooks.on_evaluated = [&](const records::EvaluationRecord& record, bool from_log) {
     monitor->ended(record.id, from_log);
   };
   const auto picks = reports::ranked_picks(options.folder, rule);
@@ -83,7 +83,7 @@ study::ConfirmOutcome confirm(const Session& session, const RecommendOptions& op
 
 /// False when it was interrupted.
 bool confirm_and_say(const Session& session, const RecommendOptions& options,
-                     const designs::StudySpec& study, const reports::PickRule& rule) {
+                     const designs::StudySpec& study, const study::PickRule& rule) {
   const study::ConfirmOutcome outcome = confirm(session, options, study, rule);
   if (outcome.cancelled) {
     session.log->error(
@@ -102,8 +102,8 @@ bool confirm_and_say(const Session& session, const RecommendOptions& options,
 
 int recommend_command(const Session& session, const RecommendOptions& options) {
   const std::filesystem::path& folder = options.folder;
-  const reports::PickRule rule =
-      reports::parse_pick_rule(options.rule, options.weights, options.limits);
+  const study::PickRule rule =
+      study::parse_pick_rule(options.rule, options.weights, options.limits);
   reports::ranked_picks(folder, rule);  // what is wrong with the study or the rule is said first
   if (const auto study = stored_study(session, folder)) {
     if (!options.no_confirm && !confirm_and_say(session, options, *study, rule)) {
@@ -112,9 +112,9 @@ int recommend_command(const Session& session, const RecommendOptions& options) {
     write_sensitivity(session, *study, folder);
   }
   const reports::Recommendation recommendation = reports::recommend(folder, rule);
-  reports::write_file_atomically(folder / "recommendation.json",
-                                 reports::json_text(recommendation.json));
-  reports::write_file_atomically(folder / "recommendation.md", recommendation.markdown);
+  records::write_file_atomically(folder / "recommendation.json",
+                                 records::json_text(recommendation.json));
+  records::write_file_atomically(folder / "recommendation.md", recommendation.markdown);
   for (const std::string& file : reports::draw_study_plots(folder, recommendation.json)) {
     session.log->info("written: {}", (folder / file).string());
   }

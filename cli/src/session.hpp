@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-#include "parapet/reports/provenance.hpp"
+#include "parapet/records/provenance.hpp"
 
 namespace parapet::cli {
 
@@ -16,7 +16,7 @@ enum ExitCode : int { exit_done = 0, exit_failed = 1, exit_bad_input = 2, exit_i
 
 /// One call of the program.
 struct Session {
-  reports::ProgramInfo program;
+  records::ProgramInfo program;
   std::shared_ptr<spdlog::logger> log;  ///< to standard error
   bool quiet = false;                   ///< no progress, only warnings and errors
   std::function<int()> command;         ///< of the verb that was chosen; gives the exit code

@@ -5,13 +5,13 @@
 
 #include "common_options.hpp"
 #include "interrupt.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
+#include "parapet/records/folder_lock.hpp"
+#include "parapet/records/hashes.hpp"
+#include "parapet/records/result_json.hpp"
 #include "parapet/reports/flow_picture.hpp"
-#include "parapet/reports/result_json.hpp"
 #include "parapet/reports/vtk_frames.hpp"
 #include "parapet/solver/uncertainty.hpp"
-#include "parapet/study/folder_lock.hpp"
-#include "parapet/study/hashes.hpp"
 #include "parapet/study/thread_count.hpp"
 #include "picture_moments.hpp"
 #include "profile_text.hpp"
@@ -98,10 +98,10 @@ template <typename Action>
 void writing(const Action& action) {
   try {
     action();
-  } catch (const reports::FileError&) {
+  } catch (const records::FileError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw reports::FileError(error.what());
+    throw records::FileError(error.what());
   }
 }
 
@@ -147,10 +147,10 @@ solver::Result run_with_uncertainty(const Session& session, const designs::CaseS
 void write_result(const Session& session, const designs::CaseSpec& spec,
                   const solver::Result& result, int threads, const std::filesystem::path& folder) {
   const designs::Json provenance =
-      reports::provenance_json(session.program, study::case_hash(spec), spec.numerics);
-  reports::write_file_atomically(folder / "series.csv", reports::series_csv(result.series));
-  reports::write_file_atomically(folder / "result.json",
-                                 reports::json_text(reports::result_json(
+      records::provenance_json(session.program, records::case_hash(spec), spec.numerics);
+  records::write_file_atomically(folder / "series.csv", records::series_csv(result.series));
+  records::write_file_atomically(folder / "result.json",
+                                 records::json_text(records::result_json(
                                      spec.name, result, spec.resolved, provenance, threads)));
 }
 
@@ -158,8 +158,8 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   designs::CaseSpec spec = read_case(options.spec, options.spacing_mm);
   spec.run.profile = options.profile;
   const std::filesystem::path folder = output_folder(options, spec.name, "simulate");
-  reports::make_folder(folder);
-  const study::FolderLock lock(folder);
+  records::make_folder(folder);
+  const records::FolderLock lock(folder);
   std::optional<FlowRecorder> recorder;
   writing([&] { recorder.emplace(options, spec, folder); });
   const int threads = options.uncertainty

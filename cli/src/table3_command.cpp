@@ -5,6 +5,7 @@
 
 #include "common_options.hpp"
 #include "interrupt.hpp"
+#include "parapet/reports/sweep_table.hpp"
 #include "parapet/study/sweep_run.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
@@ -32,7 +33,7 @@ study::SweepOutcome run_rows(const Session& session, const Table3Options& option
   run.hooks.on_simulation = [&](const std::string& id, const solver::Progress& progress) {
     monitor.running(id, progress);
   };
-  run.on_row = [&](const reports::SweepRowResult& row, bool kept) {
+  run.on_row = [&](const records::SweepRowResult& row, bool kept) {
     monitor.ended(row.id, kept);
     if (kept) {
       session.log->info("{}: finished before, not run again", row.id);
@@ -58,7 +59,7 @@ int table3_command(const Session& session, const Table3Options& options) {
              reports::sweep_table_text(outcome.rows, sweep.rows.front().spec.numerics.spacing));
   fmt::print("results: {}\n", (folder / (sweep.name + ".json")).string());
   int failed = 0;
-  for (const reports::SweepRowResult& row : outcome.rows) {
+  for (const records::SweepRowResult& row : outcome.rows) {
     if (row.status == solver::Status::ok) continue;
     ++failed;
     session.log->error("row {} failed: {}", row.id, row.reason);

@@ -46,7 +46,7 @@ std::string metrics_text(const std::vector<solver::Metric>& metrics) {
 namespace {
 
 /// A variable's value; an option by its name.
-std::string value_text(const reports::EvaluationRecord& record, const std::string& name) {
+std::string value_text(const records::EvaluationRecord& record, const std::string& name) {
   const auto option = record.options.find(name);
   if (option != record.options.end()) return option->second;
   const auto value = record.design.find(name);
@@ -63,7 +63,7 @@ std::string design_text(const designs::Design& design) {
   return text;
 }
 
-std::string design_text(const reports::EvaluationRecord& record) {
+std::string design_text(const records::EvaluationRecord& record) {
   std::string text;
   for (const auto& [name, value] : record.design) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, value_text(record, name));
@@ -71,7 +71,7 @@ std::string design_text(const reports::EvaluationRecord& record) {
   return text;
 }
 
-std::string violated_text(const reports::EvaluationRecord& record) {
+std::string violated_text(const records::EvaluationRecord& record) {
   std::string text;
   for (const auto& constraint : record.constraints) {
     if (constraint.satisfied) continue;
@@ -81,7 +81,7 @@ std::string violated_text(const reports::EvaluationRecord& record) {
 }
 
 std::string front_table(const designs::StudySpec& study,
-                        const std::vector<reports::EvaluationRecord>& records) {
+                        const std::vector<records::EvaluationRecord>& records) {
   std::vector<std::vector<std::string>> rows(1, {"design"});
   for (const auto& variable : study.variables) rows.front().push_back(variable.name);
   for (const auto& objective : study.objectives) {
@@ -108,7 +108,7 @@ std::string front_table(const designs::StudySpec& study,
   return text;
 }
 
-std::string objectives_text(const reports::EvaluationRecord& record) {
+std::string objectives_text(const records::EvaluationRecord& record) {
   std::string text;
   for (const auto& objective : record.objectives) {
     text += text.empty() ? "" : ", ";
@@ -119,7 +119,7 @@ std::string objectives_text(const reports::EvaluationRecord& record) {
   return text;
 }
 
-std::string record_text(const reports::EvaluationRecord& record) {
+std::string record_text(const records::EvaluationRecord& record) {
   std::string text = fmt::format("  design {}: {}\n  {}\n", record.id, design_text(record),
                                  objectives_text(record));
   for (const auto& constraint : record.constraints) {

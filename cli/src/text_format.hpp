@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "parapet/solver/result.hpp"
 
 namespace parapet::cli {
@@ -18,20 +18,20 @@ std::string metrics_text(const std::vector<solver::Metric>& metrics);
 std::string design_text(const designs::Design& design);
 
 /// "deflector plate, deflector_angle_deg 45": options by their names.
-std::string design_text(const reports::EvaluationRecord& record);
+std::string design_text(const records::EvaluationRecord& record);
 
 /// "retention_efficiency 0.83".
-std::string objectives_text(const reports::EvaluationRecord& record);
+std::string objectives_text(const records::EvaluationRecord& record);
 
 /// "launch_length_m, stem": the constraints that a record violates; empty when it meets all.
-std::string violated_text(const reports::EvaluationRecord& record);
+std::string violated_text(const records::EvaluationRecord& record);
 
 /// A header and one line for each record, in columns: id, the study's variables, its objectives.
 /// Inactive variables are shown as "-".
 std::string front_table(const designs::StudySpec& study,
-                        const std::vector<reports::EvaluationRecord>& records);
+                        const std::vector<records::EvaluationRecord>& records);
 
 /// Several lines: design, objectives, constraints with their margins.
-std::string record_text(const reports::EvaluationRecord& record);
+std::string record_text(const records::EvaluationRecord& record);
 
 }  // namespace parapet::cli

@@ -6,7 +6,7 @@
 #include "common_options.hpp"
 #include "interrupt.hpp"
 #include "parapet/designs/error.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 #include "parapet/validation/suite.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
@@ -58,7 +58,7 @@ validation::SuiteOutcome run_cases(const Session& session, const ValidateOptions
 
 void write_pages(const std::filesystem::path& folder) {
   for (const validation::Page& page : validation::pages(folder)) {
-    reports::write_file_atomically(folder / page.file, page.text);
+    records::write_file_atomically(folder / page.file, page.text);
   }
   fmt::print("pages: {}\n", (folder / "README.md").string());
 }

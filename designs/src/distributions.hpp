@@ -6,13 +6,6 @@
 
 namespace parapet::designs {
 
-/// Standard normal distribution function.
-double normal_cdf(double z);
-
-/// Its inverse, to about 1e-16 of the value: algorithm AS 241 (PPND16) of Wichura 1988, Appl.
-/// Statist. 37, 477-484. Precondition: 0 < p < 1.
-double normal_quantile(double p);
-
 enum class DistributionKind { normal, lognormal, uniform, triangular };
 
 /// In the unit of the quantity. normal, lognormal: mean and sd of the quantity itself before it is

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 
 namespace parapet::reports {
 namespace {
@@ -178,7 +178,7 @@ void Canvas::save() {
     throw std::runtime_error(fmt::format("{}: the picture cannot be drawn: {}",
                                          surface_->path.string(), cairo_status_to_string(status)));
   }
-  write_file_atomically(surface_->path, surface_->bytes);
+  records::write_file_atomically(surface_->path, surface_->bytes);
 }
 
 }  // namespace parapet::reports

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "markdown.hpp"
-#include "parapet/reports/confirmation.hpp"
+#include "parapet/study/confirmation.hpp"
 #include "quantity.hpp"
 #include "recommendation_parts.hpp"
 
@@ -59,7 +59,7 @@ std::string run_name(const Json& run) {
       run["spacing_m"].is_number()
           ? fmt::format("{:.4g} mm", 1000.0 * run["spacing_m"].get<double>())
           : "?";
-  if (stage == confirmation_stage::near) return fmt::format("near it, at {}", spacing);
+  if (stage == study::confirmation_stage::near) return fmt::format("near it, at {}", spacing);
   return fmt::format("the design itself, at {}", spacing);
 }
 

@@ -10,17 +10,17 @@ namespace {
 
 using designs::Json;
 
-std::vector<ConfirmationRun> runs_of(const StudyLog& log) {
-  std::vector<ConfirmationRun> runs;
+std::vector<study::ConfirmationRun> runs_of(const StudyLog& log) {
+  std::vector<study::ConfirmationRun> runs;
   for (const LoggedDesign& line : log.confirmations) {
     runs.push_back({line.id, line.stage, line.ok && line.feasible});
   }
   return runs;
 }
 
-const char* word(Verdict verdict) {
-  if (verdict == Verdict::none) return "none";
-  return verdict == Verdict::confirmed ? "confirmed" : "refuted";
+const char* word(study::Verdict verdict) {
+  if (verdict == study::Verdict::none) return "none";
+  return verdict == study::Verdict::confirmed ? "confirmed" : "refuted";
 }
 
 Json run_json(const LoggedDesign& run) {
@@ -86,32 +86,15 @@ Json spreads_json(const LoggedDesign& pick, const std::vector<const LoggedDesign
 
 }  // namespace
 
-bool confirms(const std::string& run_id, const std::string& pick_id) {
-  return run_id.starts_with(pick_id + "-");
-}
-
-Verdict verdict_of(const std::string& pick_id, const std::vector<ConfirmationRun>& runs) {
-  int near = 0, near_held = 0, others = 0, others_held = 0;
-  for (const ConfirmationRun& run : runs) {
-    if (!confirms(run.id, pick_id)) continue;
-    const bool is_near = run.stage == confirmation_stage::near;
-    ++(is_near ? near : others);
-    if (run.feasible) ++(is_near ? near_held : others_held);
-  }
-  if (near + others == 0) return Verdict::none;
-  const bool held = others_held == others && 2 * near_held >= near;
-  return held ? Verdict::confirmed : Verdict::refuted;
-}
-
 Confirmed confirmed_pick(const StudyLog& log, const Choice& choice) {
   Confirmed result;
-  const std::vector<ConfirmationRun> runs = runs_of(log);
+  const std::vector<study::ConfirmationRun> runs = runs_of(log);
   const auto tried =
-      std::min(choice.ranked.size(), static_cast<std::size_t>(most_confirmed_designs));
+      std::min(choice.ranked.size(), static_cast<std::size_t>(study::most_confirmed_designs));
   for (std::size_t k = 0; k < tried; ++k) {
     const Candidate& candidate = choice.ranked[k];
-    const Verdict verdict = verdict_of(candidate.design->id, runs);
-    if (verdict == Verdict::refuted) {
+    const study::Verdict verdict = study::verdict_of(candidate.design->id, runs);
+    if (verdict == study::Verdict::refuted) {
       result.refuted.push_back(&candidate);
       continue;
     }
@@ -121,7 +104,7 @@ Confirmed confirmed_pick(const StudyLog& log, const Choice& choice) {
   }
   if (!choice.ranked.empty()) {
     result.pick = &choice.ranked.front();
-    result.verdict = Verdict::refuted;
+    result.verdict = study::Verdict::refuted;
   }
   return result;
 }
@@ -135,18 +118,18 @@ Json confirmation_json(const StudyLog& log, const Confirmed& confirmed) {
             {"refuted", Json::array()}};
   std::vector<const LoggedDesign*> runs, near;
   for (const LoggedDesign& run : log.confirmations) {
-    if (confirms(run.id, pick.id)) runs.push_back(&run);
+    if (study::confirms(run.id, pick.id)) runs.push_back(&run);
   }
   std::ranges::sort(runs, {}, &LoggedDesign::id);  // the file has the order in which they ended
   for (const LoggedDesign* run : runs) {
     json["runs"].push_back(run_json(*run));
-    if (run->stage == confirmation_stage::near && run->ok) near.push_back(run);
+    if (run->stage == study::confirmation_stage::near && run->ok) near.push_back(run);
   }
   json["spread"] = spreads_json(pick, near);
   for (const Candidate* candidate : confirmed.refuted) {
     Json violated = Json::array();
     for (const LoggedDesign& run : log.confirmations) {
-      if (!confirms(run.id, candidate->design->id)) continue;
+      if (!study::confirms(run.id, candidate->design->id)) continue;
       for (const LoggedConstraint& constraint : run.constraints) {
         if (!constraint.satisfied &&
             std::ranges::find(violated, Json(constraint.name)) == violated.end()) {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "design_choice.hpp"
-#include "parapet/reports/confirmation.hpp"
+#include "parapet/study/confirmation.hpp"
 
 namespace parapet::reports {
 
 struct Confirmed {
-  const Candidate* pick = nullptr;  ///< null when nothing is ranked
-  Verdict verdict = Verdict::none;  ///< of the pick
+  const Candidate* pick = nullptr;                ///< null when nothing is ranked
+  study::Verdict verdict = study::Verdict::none;  ///< of the pick
   /// Designs that the rule prefers and that were refuted, in the rule's order.
   std::vector<const Candidate*> refuted = {};
 };

@@ -105,7 +105,7 @@ std::string score_knee(Choice& choice) {
   return words;
 }
 
-std::string score_weights(const StudyLog& log, const PickRule& rule, Choice& choice) {
+std::string score_weights(const StudyLog& log, const study::PickRule& rule, Choice& choice) {
   std::vector<double> weights(log.n_objectives(), 0.0);
   std::vector<std::string> words;
   for (const auto& [name, weight] : rule.weights) {
@@ -130,15 +130,15 @@ std::string score_weights(const StudyLog& log, const PickRule& rule, Choice& cho
       joined(words), rule.weights.size() < log.n_objectives() ? "; 0 for the others" : "");
 }
 
-std::string limit_words(const ObjectiveLimit& limit) {
+std::string limit_words(const study::ObjectiveLimit& limit) {
   const std::string name = quantity(limit.objective).words;
   if (limit.upper) return name + " at most " + with_unit(limit.upper, limit.objective);
   return name + " at least " + with_unit(limit.lower, limit.objective);
 }
 
-std::string score_limits(const StudyLog& log, const PickRule& rule, Choice& choice) {
+std::string score_limits(const StudyLog& log, const study::PickRule& rule, Choice& choice) {
   std::vector<std::string> words;
-  for (const ObjectiveLimit& limit : rule.limits) {
+  for (const study::ObjectiveLimit& limit : rule.limits) {
     const std::size_t j = objective_index(log, limit.objective, "--limit");
     words.push_back(limit_words(limit));
     for (Candidate& candidate : choice.front) {
@@ -174,10 +174,11 @@ void rank(Choice& choice, std::vector<Candidate> list) {
   choice.ranked = std::move(list);
 }
 
-RuleKind resolved_kind(const StudyLog& log, const PickRule& rule) {
+study::RuleKind resolved_kind(const StudyLog& log, const study::PickRule& rule) {
   const bool several = log.n_objectives() > 1;
-  if (rule.kind == RuleKind::automatic) return several ? RuleKind::knee : RuleKind::best;
-  if (!several && rule.kind != RuleKind::best && rule.kind != RuleKind::limits) {
+  if (rule.kind == study::RuleKind::automatic)
+    return several ? study::RuleKind::knee : study::RuleKind::best;
+  if (!several && rule.kind != study::RuleKind::best && rule.kind != study::RuleKind::limits) {
     throw InputError(
         {{"--rule", "", to_string(rule.kind),
           "the study has one objective, so there is no front to choose from", "best, or limits"}});
@@ -197,7 +198,8 @@ bool Candidate::doubtful() const {
   return probability_feasible().value_or(1.0) < least_probability;
 }
 
-std::optional<double> probability_within(const Json& objective, const ObjectiveLimit& limit) {
+std::optional<double> probability_within(const Json& objective,
+                                         const study::ObjectiveLimit& limit) {
   if (!objective.is_object()) return std::nullopt;
   const auto number = [&](const char* key) {
     return objective.contains(key) ? value_of(objective[key]) : std::nullopt;
@@ -213,35 +215,35 @@ std::optional<double> probability_within(const Json& objective, const ObjectiveL
   return (limit.upper ? below(*limit.upper) : 1.0) - (limit.lower ? below(*limit.lower) : 0.0);
 }
 
-std::string to_string(RuleKind kind) {
+std::string to_string(study::RuleKind kind) {
   switch (kind) {
-    case RuleKind::automatic:
+    case study::RuleKind::automatic:
       return "automatic";
-    case RuleKind::best:
+    case study::RuleKind::best:
       return "best";
-    case RuleKind::knee:
+    case study::RuleKind::knee:
       return "knee";
-    case RuleKind::weights:
+    case study::RuleKind::weights:
       return "weights";
-    case RuleKind::limits:
+    case study::RuleKind::limits:
       break;
   }
   return "limits";
 }
 
-Choice choose(const StudyLog& log, const PickRule& rule) {
+Choice choose(const StudyLog& log, const study::PickRule& rule) {
   Choice choice;
   choice.kind = resolved_kind(log, rule);
   std::vector<Candidate> feasible = feasible_designs(log);
   choice.front = front_of(feasible);
   switch (choice.kind) {
-    case RuleKind::knee:
+    case study::RuleKind::knee:
       choice.words = choice.front.empty() ? "The knee of the front." : score_knee(choice);
       break;
-    case RuleKind::weights:
+    case study::RuleKind::weights:
       choice.words = score_weights(log, rule, choice);
       break;
-    case RuleKind::limits:
+    case study::RuleKind::limits:
       choice.words = score_limits(log, rule, choice);
       break;
     default:
@@ -258,9 +260,10 @@ Choice choose(const StudyLog& log, const PickRule& rule) {
   return choice;
 }
 
-std::vector<Pick> ranked_picks(const std::filesystem::path& study_dir, const PickRule& rule) {
+std::vector<study::Pick> ranked_picks(const std::filesystem::path& study_dir,
+                                      const study::PickRule& rule) {
   const StudyLog log = read_study_log(study_dir);
-  std::vector<Pick> picks;
+  std::vector<study::Pick> picks;
   for (const Candidate& candidate : choose(log, rule).ranked) {
     picks.push_back({candidate.design->id, candidate.design->design,
                      candidate.design->spacing.value_or(0.0), candidate.probability_feasible()});

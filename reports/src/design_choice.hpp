@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "front.hpp"
-#include "parapet/reports/pick_rule.hpp"
+#include "parapet/study/pick_rule.hpp"
 #include "study_log.hpp"
 
 namespace parapet::reports {
@@ -28,10 +28,10 @@ struct Candidate {
 };
 
 struct Choice {
-  RuleKind kind = RuleKind::best;  ///< never automatic
-  std::string words;               ///< the rule, for a reader
-  std::vector<Candidate> ranked;   ///< what the rule allows, best first
-  std::vector<Candidate> front;    ///< the Pareto set, best first objective first
+  study::RuleKind kind = study::RuleKind::best;  ///< never automatic
+  std::string words;                             ///< the rule, for a reader
+  std::vector<Candidate> ranked;                 ///< what the rule allows, best first
+  std::vector<Candidate> front;                  ///< the Pareto set, best first objective first
   /// Every design that the surrogate knows is doubtful.
   bool all_doubtful = false;
 
@@ -39,15 +39,15 @@ struct Choice {
 };
 
 /// @throws designs::InputError for a rule that does not fit the study's objectives
-Choice choose(const StudyLog& log, const PickRule& rule);
+Choice choose(const StudyLog& log, const study::PickRule& rule);
 
 /// The probability that objective j is within the limit, by its estimate and interval in
 /// pareto.json: each side of the median is taken as half of a normal distribution. Empty without an
 /// estimate.
 std::optional<double> probability_within(const designs::Json& objective,
-                                         const ObjectiveLimit& limit);
+                                         const study::ObjectiveLimit& limit);
 
 /// A rule's name on the command line.
-std::string to_string(RuleKind kind);
+std::string to_string(study::RuleKind kind);
 
 }  // namespace parapet::reports

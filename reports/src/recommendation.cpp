@@ -140,13 +140,13 @@ Json definitions_json(const StudyLog& log) {
   return json;
 }
 
-Json reproduce_json(const StudyLog& log, const PickRule& rule, const LoggedDesign& design) {
+Json reproduce_json(const StudyLog& log, const study::PickRule& rule, const LoggedDesign& design) {
   const Json values = written_design(log, design);
   std::string evaluate = fmt::format("parapet evaluate SPEC.json --design '{}'", values.dump());
   if (design.spacing) evaluate += fmt::format(" --spacing-mm {:.10g}", 1000.0 * *design.spacing);
   return {{"evaluate", evaluate},
           {"optimize", "parapet optimize SPEC.json --out STUDY_DIR"},
-          {"recommend", "parapet recommend STUDY_DIR" + command_line(rule)},
+          {"recommend", "parapet recommend STUDY_DIR" + study::command_line(rule)},
           {"spec",
            "SPEC.json is the study's spec; study.json holds it with every default under "
            "/spec"},
@@ -168,9 +168,9 @@ Json candidates_json(const StudyLog& log, const std::vector<Candidate>& list) {
   return json;
 }
 
-Json rule_json(const Choice& choice, const PickRule& rule) {
+Json rule_json(const Choice& choice, const study::PickRule& rule) {
   Json limits = Json::array();
-  for (const ObjectiveLimit& limit : rule.limits) {
+  for (const study::ObjectiveLimit& limit : rule.limits) {
     limits.push_back({{"objective", limit.objective},
                       {"lower", optional_json(limit.lower)},
                       {"upper", optional_json(limit.upper)}});
@@ -202,7 +202,7 @@ Json recommended_json(const StudyLog& log, const Confirmed& confirmed) {
 
 }  // namespace
 
-Recommendation recommend(const std::filesystem::path& study_dir, const PickRule& rule) {
+Recommendation recommend(const std::filesystem::path& study_dir, const study::PickRule& rule) {
   const StudyLog log = read_study_log(study_dir);
   const Choice choice = choose(log, rule);
   const Confirmed confirmed = confirmed_pick(log, choice);

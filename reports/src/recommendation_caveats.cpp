@@ -6,7 +6,7 @@
 #include <fstream>
 #include <set>
 
-#include "parapet/reports/confirmation.hpp"
+#include "parapet/study/confirmation.hpp"
 
 namespace parapet::reports {
 
@@ -68,7 +68,7 @@ void add_unfinished(Json& list, const StudyLog& log, const LoggedDesign* best) {
 int confirmed_runs(const StudyLog& log, const LoggedDesign* best, const char* stage) {
   int count = 0;
   for (const LoggedDesign& run : log.confirmations) {
-    count += best != nullptr && confirms(run.id, best->id) && run.stage == stage ? 1 : 0;
+    count += best != nullptr && study::confirms(run.id, best->id) && run.stage == stage ? 1 : 0;
   }
   return count;
 }
@@ -79,7 +79,7 @@ void add_spacings(Json& list, const StudyLog& log, const LoggedDesign* best) {
     if (design.ok && design.spacing) spacings.insert(*design.spacing);
   }
   if (spacings.empty()) return;
-  const bool refined = confirmed_runs(log, best, confirmation_stage::spacing) > 0;
+  const bool refined = confirmed_runs(log, best, study::confirmation_stage::spacing) > 0;
   const std::string advice =
       refined ? "Results still change with refinement; how much, the run of the recommended design "
                 "at another spacing shows."
@@ -107,7 +107,7 @@ void add_spacings(Json& list, const StudyLog& log, const LoggedDesign* best) {
 }
 
 void add_scatter(Json& list, const StudyLog& log, const LoggedDesign* best) {
-  const int near = confirmed_runs(log, best, confirmation_stage::near);
+  const int near = confirmed_runs(log, best, study::confirmation_stage::near);
   const std::string known =
       near > 0 ? fmt::format(
                      "How far a result moves under tiny changes is known from {} run{} near "

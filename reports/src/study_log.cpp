@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "study_log_spec.hpp"
 
 namespace parapet::reports {
@@ -30,7 +30,7 @@ std::string file_text(const std::filesystem::path& file, const std::string& want
 }
 
 LoggedDesign read_design(const Json& line, const Json& spec) {
-  const EvaluationRecord record = record_from_json(line);
+  const records::EvaluationRecord record = records::record_from_json(line);
   LoggedDesign design;
   design.id = record.id;
   design.stage = record.stage;
@@ -43,13 +43,13 @@ LoggedDesign read_design(const Json& line, const Json& spec) {
   design.metrics = record.metrics;
   design.options = record.options;
   design.cpu_time = record.cpu_time;
-  for (const ScenarioRecord& scenario : record.scenarios) {
+  for (const records::ScenarioRecord& scenario : record.scenarios) {
     design.scenarios.push_back(scenario.name);
   }
-  for (const ObjectiveRecord& objective : record.objectives) {
+  for (const records::ObjectiveRecord& objective : record.objectives) {
     design.objectives.push_back(read_objective(objective, spec));
   }
-  for (const ConstraintRecord& constraint : record.constraints) {
+  for (const records::ConstraintRecord& constraint : record.constraints) {
     design.constraints.push_back(read_constraint(constraint, spec));
   }
   return design;

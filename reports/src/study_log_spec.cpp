@@ -81,7 +81,7 @@ std::vector<LoggedVariable> read_variables(const Json& spec, const std::string& 
   return variables;
 }
 
-LoggedConstraint read_constraint(const ConstraintRecord& record, const Json& spec) {
+LoggedConstraint read_constraint(const records::ConstraintRecord& record, const Json& spec) {
   LoggedConstraint constraint;
   constraint.name = record.name;
   constraint.value = record.value;
@@ -99,7 +99,7 @@ LoggedConstraint read_constraint(const ConstraintRecord& record, const Json& spe
   return constraint;
 }
 
-LoggedObjective read_objective(const ObjectiveRecord& record, const Json& spec) {
+LoggedObjective read_objective(const records::ObjectiveRecord& record, const Json& spec) {
   LoggedObjective objective;
   objective.metric = objective.of = record.metric;
   objective.goal = record.goal == designs::Goal::minimize ? "minimize" : "maximize";

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "study_log.hpp"
 
 namespace parapet::reports {
@@ -19,7 +19,8 @@ std::optional<double> number(const designs::Json& object, const char* key);
 std::vector<LoggedVariable> read_variables(const designs::Json& spec, const std::string& file);
 
 /// A record's constraint or objective with what the spec says of it.
-LoggedConstraint read_constraint(const ConstraintRecord& record, const designs::Json& spec);
-LoggedObjective read_objective(const ObjectiveRecord& record, const designs::Json& spec);
+LoggedConstraint read_constraint(const records::ConstraintRecord& record,
+                                 const designs::Json& spec);
+LoggedObjective read_objective(const records::ObjectiveRecord& record, const designs::Json& spec);
 
 }  // namespace parapet::reports

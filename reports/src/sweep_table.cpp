@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 
+#include "parapet/study/sweep_result.hpp"
 #include "quantity.hpp"
 
 namespace parapet::reports {
@@ -47,13 +48,13 @@ struct Cell {
   std::string value, note;
 };
 
-const Json* published_entry(const SweepRowResult& row, const std::string& key) {
+const Json* published_entry(const records::SweepRowResult& row, const std::string& key) {
   if (!row.published.is_object()) return nullptr;
   const auto found = row.published.find(key);
   return found == row.published.end() || !found->is_object() ? nullptr : &*found;
 }
 
-std::string published_text(const Agreement& agreement) {
+std::string published_text(const study::Agreement& agreement) {
   if (agreement.published) return fmt::format("{:.4g}", *agreement.published);
   if (agreement.lower && agreement.upper) {
     return fmt::format("{:.4g}..{:.4g}", *agreement.lower, *agreement.upper);
@@ -63,14 +64,14 @@ std::string published_text(const Agreement& agreement) {
 }
 
 std::string note_text(const std::optional<double>& computed, const Json& published) {
-  const Agreement agreement = compare(computed, published);
+  const study::Agreement agreement = study::compare(computed, published);
   if (!agreement.published && !agreement.lower && !agreement.upper) return "";
   std::string mark = "ok";
   if (!computed) {
     mark = "none";
-  } else if (agreement.verdict == Agreement::Verdict::misses) {
+  } else if (agreement.verdict == study::Agreement::Verdict::misses) {
     mark = fmt::format("{:+.2g}", agreement.distance);
-  } else if (agreement.verdict == Agreement::Verdict::none) {
+  } else if (agreement.verdict == study::Agreement::Verdict::none) {
     mark = *agreement.published != 0.0
                ? fmt::format("{:+.0f} %", 100.0 * (*computed / *agreement.published - 1.0))
                : fmt::format("{:+.2g}", *computed);
@@ -78,7 +79,7 @@ std::string note_text(const std::optional<double>& computed, const Json& publish
   return fmt::format("({} {})", published_text(agreement), mark);
 }
 
-Cell metric_cell(const SweepRowResult& row, const Column& column) {
+Cell metric_cell(const records::SweepRowResult& row, const Column& column) {
   const std::optional<double> value = row.metric(column.key);
   const Json* published = published_entry(row, column.key);
   return {value ? fmt::format("{:.{}f}", *value, column.decimals) : "-",
@@ -105,28 +106,30 @@ std::vector<std::string> column_lines(const std::string& heading, const std::str
   return lines;
 }
 
-std::vector<std::vector<std::string>> table_columns(const std::vector<SweepRowResult>& rows) {
+std::vector<std::vector<std::string>> table_columns(
+    const std::vector<records::SweepRowResult>& rows) {
   const auto column = [&](const std::string& heading, const std::string& unit, bool right,
                           const auto& cell_of) {
     std::vector<Cell> cells;
-    for (const SweepRowResult& row : rows) cells.push_back(cell_of(row));
+    for (const records::SweepRowResult& row : rows) cells.push_back(cell_of(row));
     return column_lines(heading, unit, cells, right);
   };
   std::vector<std::vector<std::string>> columns;
-  columns.push_back(column("ID", "", false, [](const SweepRowResult& row) {
+  columns.push_back(column("ID", "", false, [](const records::SweepRowResult& row) {
     return Cell{row.id, ""};
   }));
-  columns.push_back(column("status", "", false, [](const SweepRowResult& row) {
+  columns.push_back(column("status", "", false, [](const records::SweepRowResult& row) {
     return Cell{std::string(solver::to_string(row.status)), ""};
   }));
   for (const Column& entry : metric_columns) {
-    columns.push_back(column(entry.heading, entry.unit, true,
-                             [&](const SweepRowResult& row) { return metric_cell(row, entry); }));
+    columns.push_back(
+        column(entry.heading, entry.unit, true,
+               [&](const records::SweepRowResult& row) { return metric_cell(row, entry); }));
   }
-  columns.push_back(column("stop t", "s", true, [](const SweepRowResult& row) {
+  columns.push_back(column("stop t", "s", true, [](const records::SweepRowResult& row) {
     return Cell{fmt::format("{:.2f}", row.stop_time), ""};
   }));
-  columns.push_back(column("stopped by", "", false, [](const SweepRowResult& row) {
+  columns.push_back(column("stopped by", "", false, [](const records::SweepRowResult& row) {
     return Cell{row.stop_reason, ""};
   }));
   return columns;
@@ -149,11 +152,11 @@ std::string joined(const std::vector<std::vector<std::string>>& columns) {
 }
 
 /// Published figures of metrics that have no column of their own.
-std::string further_figures(const std::vector<SweepRowResult>& rows) {
+std::string further_figures(const std::vector<records::SweepRowResult>& rows) {
   std::set<std::string> shown;
   for (const Column& column : metric_columns) shown.insert(column.key);
   std::string text;
-  for (const SweepRowResult& row : rows) {
+  for (const records::SweepRowResult& row : rows) {
     if (!row.published.is_object()) continue;
     for (const auto& [key, entry] : row.published.items()) {
       if (shown.contains(key) || !entry.is_object()) continue;
@@ -166,19 +169,19 @@ std::string further_figures(const std::vector<SweepRowResult>& rows) {
   return text;
 }
 
-std::string misses(const std::vector<SweepRowResult>& rows) {
+std::string misses(const std::vector<records::SweepRowResult>& rows) {
   int judged = 0;
   std::string lines;
   int missed = 0;
-  for (const SweepRowResult& row : rows) {
+  for (const records::SweepRowResult& row : rows) {
     if (!row.published.is_object()) continue;
     for (const auto& [key, entry] : row.published.items()) {
       if (!entry.is_object()) continue;
       const std::optional<double> value = row.metric(key);
-      const Agreement agreement = compare(value, entry);
-      if (agreement.verdict == Agreement::Verdict::none) continue;
+      const study::Agreement agreement = study::compare(value, entry);
+      if (agreement.verdict == study::Agreement::Verdict::none) continue;
       ++judged;
-      if (agreement.verdict == Agreement::Verdict::agrees) continue;
+      if (agreement.verdict == study::Agreement::Verdict::agrees) continue;
       ++missed;
       lines += fmt::format("  misses: {} {} = {} {}\n", row.id, key, number_text(value),
                            note_text(value, entry));
@@ -188,9 +191,9 @@ std::string misses(const std::vector<SweepRowResult>& rows) {
   return fmt::format("Published ranges met: {} of {}.\n{}", judged - missed, judged, lines);
 }
 
-std::string failures(const std::vector<SweepRowResult>& rows) {
+std::string failures(const std::vector<records::SweepRowResult>& rows) {
   std::string text;
-  for (const SweepRowResult& row : rows) {
+  for (const records::SweepRowResult& row : rows) {
     if (row.status == solver::Status::ok) continue;
     text += fmt::format("{} {}: {}\n", row.id, solver::to_string(row.status), row.reason);
   }
@@ -199,7 +202,7 @@ std::string failures(const std::vector<SweepRowResult>& rows) {
 
 }  // namespace
 
-std::string sweep_table_text(const std::vector<SweepRowResult>& rows, double spacing) {
+std::string sweep_table_text(const std::vector<records::SweepRowResult>& rows, double spacing) {
   std::string text =
       fmt::format("{} rows, particle spacing {:g} mm\n\n", rows.size(), 1000.0 * spacing);
   text += joined(table_columns(rows));

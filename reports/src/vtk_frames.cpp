@@ -14,7 +14,7 @@
 #include <type_traits>
 
 #include "base64.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 
 namespace parapet::reports {
 namespace {
@@ -125,18 +125,18 @@ std::string safe_stem(const std::string& name) {
 FrameWriter::FrameWriter(std::filesystem::path directory, const std::string& case_name)
     : directory_(std::move(directory)), stem_(safe_stem(case_name)) {
   if (stem_.empty()) throw std::invalid_argument("frames need a case name");
-  make_folder(directory_);
+  records::make_folder(directory_);
   collection_ = directory_ / (stem_ + ".pvd");
 }
 
 void FrameWriter::add(const solver::Frame& frame) {
   check(frame);
   if (times_.empty()) {
-    write_file_atomically(directory_ / (stem_ + "_walls.vtp"),
-                          point_cloud(frame.wall_x, frame.wall_z, "", ""));
+    records::write_file_atomically(directory_ / (stem_ + "_walls.vtp"),
+                                   point_cloud(frame.wall_x, frame.wall_z, "", ""));
   }
-  write_file_atomically(directory_ / fmt::format("{}_{:06}.vtp", stem_, times_.size()),
-                        frame_file(frame));
+  records::write_file_atomically(directory_ / fmt::format("{}_{:06}.vtp", stem_, times_.size()),
+                                 frame_file(frame));
   times_.push_back(frame.time);
 
   std::string collection = file_header("Collection") + "<Collection>\n";
@@ -146,7 +146,7 @@ void FrameWriter::add(const solver::Frame& frame) {
         "<DataSet timestep=\"{0}\" part=\"1\" name=\"walls\" file=\"{1}_walls.vtp\"/>\n",
         times_[k], stem_, k);
   }
-  write_file_atomically(collection_, collection + "</Collection>\n</VTKFile>\n");
+  records::write_file_atomically(collection_, collection + "</Collection>\n</VTKFile>\n");
 }
 
 }  // namespace parapet::reports

@@ -1,5 +1,5 @@
 // What makes a study another one, and what may change when it is continued.
-#include "parapet/study/hashes.hpp"
+#include "parapet/records/hashes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@ using designs::Json;
 std::string hash_with(const std::string& method_key, const Json& value) {
   Json json = tiny_study();
   json["method"][method_key] = value;
-  return study::study_hash(designs::parse_study(json, "test"));
+  return records::study_hash(designs::parse_study(json, "test"));
 }
 
 TEST(StudyHash, LeavesOutWhenTheStudyEnds) {
-  const std::string plain = study::study_hash(designs::parse_study(tiny_study(), "test"));
+  const std::string plain = records::study_hash(designs::parse_study(tiny_study(), "test"));
   EXPECT_EQ(hash_with("max_evaluations", 99), plain);
   EXPECT_EQ(hash_with("max_time_s", 60), plain);
   EXPECT_EQ(hash_with("max_cpu_time_s", 60), plain);
@@ -26,15 +26,15 @@ TEST(StudyHash, LeavesOutWhenTheStudyEnds) {
 }
 
 TEST(StudyHash, HoldsWhatTheStudySearchesFor) {
-  const std::string plain = study::study_hash(designs::parse_study(tiny_study(), "test"));
+  const std::string plain = records::study_hash(designs::parse_study(tiny_study(), "test"));
   EXPECT_NE(hash_with("seed", 2), plain);
   EXPECT_NE(hash_with("algorithm", "BAYESIAN"), plain);
   Json json = tiny_study();
   json["scenarios"] = Json::parse(R"([{"set": {"slope_deg": 25}}])");
-  EXPECT_NE(study::study_hash(designs::parse_study(json, "test")), plain);
+  EXPECT_NE(records::study_hash(designs::parse_study(json, "test")), plain);
   json = tiny_study();
   json["fidelity"]["spacings_m"] = {0.02, 0.025};
-  EXPECT_NE(study::study_hash(designs::parse_study(json, "test")), plain);
+  EXPECT_NE(records::study_hash(designs::parse_study(json, "test")), plain);
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 
 #include "front_checks.hpp"
 #include "parapet/acquisition/improvement.hpp"
+#include "parapet/math/normal.hpp"
 
 namespace parapet::acquisition {
+
+using math::log_normal_cdf;
 namespace {
 
 /// Up to four objectives without a heap.

@@ -7,10 +7,14 @@
 #include <numbers>
 
 #include "front_checks.hpp"
-#include "normal_tail.hpp"
 #include "parapet/acquisition/improvement.hpp"
+#include "parapet/math/normal.hpp"
+#include "parapet/math/normal_tail.hpp"
 
 namespace parapet::acquisition {
+
+using math::excess_factor;
+using math::log_normal_cdf;
 namespace {
 
 using Long = long double;

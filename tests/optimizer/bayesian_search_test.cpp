@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "bayesian_problems.hpp"
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 
 namespace parapet::bayesian {
 namespace {
@@ -56,14 +56,14 @@ TEST(BayesianSearch, DependsOnTheSeed) {
 TEST(BayesianSearch, CoversAConstrainedFront) {
   Search search(bnh_problem(), budget(30));
   run(search, bnh_answer);
-  std::vector<acquisition::Objectives> truth;
+  std::vector<math::Objectives> truth;
   // The front is x1 = x2 up to 3, then x2 = 3 (Deb 2001); both constraints are slack on it.
   for (int k = 0; k <= 2000; ++k) {
     const double a = 5.0 * k / 2000.0, b = std::min(a, 3.0);
     truth.emplace_back(
         Eigen::Vector2d(4.0 * a * a + 4.0 * b * b, (a - 5.0) * (a - 5.0) + (b - 5.0) * (b - 5.0)));
   }
-  const double whole = acquisition::hypervolume(truth, Eigen::Vector2d(140.0, 50.0));
+  const double whole = math::hypervolume(truth, Eigen::Vector2d(140.0, 50.0));
   // 22 points placed evenly on this front reach 0.97 of it
   EXPECT_GT(search.history().back().hypervolume, 0.95 * whole);
   EXPECT_LE(search.history().back().hypervolume, whole);
@@ -83,7 +83,7 @@ TEST(BayesianSearch, NeverPutsAnInfeasibleDesignIntoTheFront) {
     for (const std::size_t other : front) {
       const Eigen::Vector2d a(*assessed[k].values[0], *assessed[k].values[1]);
       const Eigen::Vector2d b(*assessed[other].values[0], *assessed[other].values[1]);
-      EXPECT_FALSE(acquisition::dominates(a, b));
+      EXPECT_FALSE(math::dominates(a, b));
     }
   }
 }
@@ -176,12 +176,12 @@ TEST(BayesianSearch, KnowsAnExactObjectiveWithoutEvaluations) {
     return Observation{.ok = true, .values = {loss, std::nullopt}, .seconds = 1.0};
   });
   EXPECT_EQ(search.surrogate(1), nullptr);
-  std::vector<acquisition::Objectives> truth;
+  std::vector<math::Objectives> truth;
   for (int k = 0; k <= 1000; ++k) {
     const double h = k / 1000.0;
     truth.emplace_back(Eigen::Vector2d((1.0 - h) * (1.0 - h), h));
   }
-  const double whole = acquisition::hypervolume(truth, Eigen::Vector2d(1.2, 1.2));
+  const double whole = math::hypervolume(truth, Eigen::Vector2d(1.2, 1.2));
   EXPECT_GT(search.history().back().hypervolume, 0.93 * whole);
 }
 

@@ -5,10 +5,15 @@
 #include <limits>
 #include <vector>
 
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/acquisition/boxes.hpp"
 #include "seeded_draws.hpp"
 
 namespace parapet::acquisition {
+
+using math::dominates;
+using math::hypervolume;
+using math::non_dominated;
+using math::Objectives;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

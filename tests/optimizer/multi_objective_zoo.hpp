@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 #include "zoo_fronts.hpp"
 
 namespace parapet::zoo {
 
-using acquisition::Objectives;
+using math::Objectives;
 
 struct ZooProblem {
   std::string name;
@@ -42,7 +42,7 @@ struct ZooProblem {
   /// Volume below the reference that n points of the front dominate: of the true one but for a
   /// share that falls as 1 / n (two objectives).
   double front_hypervolume(std::size_t n = 2000) const {
-    return acquisition::hypervolume(front(n), reference);
+    return math::hypervolume(front(n), reference);
   }
 };
 

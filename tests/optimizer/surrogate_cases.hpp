@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "covariance.hpp"
-#include "normal.hpp"
+#include "parapet/math/normal.hpp"
 #include "parapet/surrogate/gaussian_process.hpp"
 #include "unit_points.hpp"
 
@@ -51,7 +51,7 @@ inline Eigen::MatrixXd column(const std::vector<double>& values) {
 inline Eigen::VectorXd normals(Eigen::Index n, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   Eigen::VectorXd draws(n);
-  for (double& draw : draws) draw = normal_quantile(uniform(generator));
+  for (double& draw : draws) draw = math::normal_quantile(uniform(generator));
   return draws;
 }
 

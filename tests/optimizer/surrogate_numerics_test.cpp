@@ -1,10 +1,9 @@
-/// The parts that the surrogates stand on: normal distribution, points, minimiser, transforms.
+/// The parts that the surrogates stand on: points, minimiser, transforms.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "marginal_likelihood.hpp"
-#include "normal.hpp"
 #include "parapet/surrogate/output_transform.hpp"
 #include "quasi_newton.hpp"
 #include "surrogate_cases.hpp"
@@ -12,38 +11,6 @@
 
 namespace parapet::surrogate {
 namespace {
-
-TEST(Normal, QuantilesAreThosePublished) {
-  // The check values that Wichura prints with AS 241, to its 16 figures.
-  EXPECT_NEAR(normal_quantile(0.25), -0.6744897501960817, 1e-15);
-  EXPECT_NEAR(normal_quantile(0.001), -3.090232306167814, 3e-15);
-  EXPECT_NEAR(normal_quantile(1e-20), -9.262340089798408, 1e-14);
-  EXPECT_EQ(normal_quantile(0.5), 0.0);
-}
-
-TEST(Normal, QuantileInvertsTheDistribution) {
-  for (double t = -8.0; t < 5.0; t += 0.37) {
-    // Phi's rounding is worth eps Phi / phi in t: below 1e-9 up to t = 5.
-    EXPECT_NEAR(normal_quantile(normal_cdf(t)), t, 1e-9) << t;
-  }
-}
-
-TEST(Normal, LogarithmAndHazardHoldInTheFarTail) {
-  // Across the switch to the series both branches must agree.
-  for (const double t : {-24.999, -25.001}) {
-    EXPECT_NEAR(log_normal_cdf(t), std::log(normal_cdf(t)), 1e-11 * 316.0) << t;
-    EXPECT_NEAR(normal_hazard(t), std::exp(-0.5 * t * t - 0.5 * std::log(2 * M_PI)) / normal_cdf(t),
-                1e-11 * 25.0)
-        << t;
-  }
-  // Phi(t) lies between phi(t) / |t| (1 - 1 / t^2) and phi(t) / |t|.
-  const double t = -1e6;
-  const double upper = -0.5 * t * t - 0.5 * std::log(2 * M_PI) - std::log(-t);
-  EXPECT_NEAR(log_normal_cdf(t), upper, 1e-9 * std::abs(upper));
-  EXPECT_NEAR(normal_hazard(t), 1e6, 1.0);
-  EXPECT_LT(log_normal_cdf(6.0), 0.0);
-  EXPECT_NEAR(log_normal_cdf(6.0), -normal_cdf(-6.0), 1e-17);
-}
 
 TEST(UnitPoints, ShiftedSobolPointsStayStratifiedAndRepeat) {
   const Eigen::MatrixXd points = unit_points(64, 23, 7);

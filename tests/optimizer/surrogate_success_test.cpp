@@ -109,7 +109,7 @@ TEST(ProbitLaplace, EvidenceOfOneOutcome) {
   // Exactly Phi(mean / sqrt(1 + variance)); Laplace's error for a probit at variance 1 is below 5
   // %.
   const LaplaceMode mode = find_mode(Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Ones(1), 0.4);
-  EXPECT_NEAR(mode.log_evidence, log_normal_cdf(0.4 / std::sqrt(2.0)), 0.05);
+  EXPECT_NEAR(mode.log_evidence, math::log_normal_cdf(0.4 / std::sqrt(2.0)), 0.05);
 }
 
 TEST(ProbitLaplace, GradientEqualsCentralDifferences) {

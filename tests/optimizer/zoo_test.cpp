@@ -10,8 +10,8 @@
 namespace parapet::zoo {
 namespace {
 
-using acquisition::dominates;
-using acquisition::non_dominated;
+using math::dominates;
+using math::non_dominated;
 
 TEST(SingleObjectiveZoo, MinimaArePublishedOnes) {
   const std::vector<std::pair<ZooProblem, double>> published = {

@@ -1,5 +1,5 @@
 // Files are complete or not there, and every refusal of the file system is one clear sentence.
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using ::testing::IsSubstring;
 std::string refusal(const std::function<void()>& action) {
   try {
     action();
-  } catch (const reports::FileError& error) {
+  } catch (const records::FileError& error) {
     return error.what();
   }
   return "nothing was refused";
@@ -25,8 +25,8 @@ std::size_t entries(const std::filesystem::path& folder) {
 
 TEST(AtomicFile, ReplacesTheContentAndLeavesNothingBeside) {
   const TemporaryFolder folder;
-  reports::write_file_atomically(folder / "a", "first");
-  reports::write_file_atomically(folder / "a", "second");
+  records::write_file_atomically(folder / "a", "first");
+  records::write_file_atomically(folder / "a", "second");
   EXPECT_EQ(file_text(folder / "a"), "second");
   EXPECT_EQ(entries(folder.path()), 1U);
 }
@@ -35,14 +35,14 @@ TEST(AtomicFile, RefusedTargetKeepsItsContentAndLeavesNothingBeside) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "a");  // a file cannot be renamed over a folder
   EXPECT_PRED_FORMAT2(IsSubstring, "/a: Is a directory",
-                      refusal([&] { reports::write_file_atomically(folder / "a", "text"); }));
+                      refusal([&] { records::write_file_atomically(folder / "a", "text"); }));
   EXPECT_EQ(entries(folder.path()), 1U);
 }
 
 TEST(AtomicFile, MissingFolderIsNamed) {
   const TemporaryFolder folder;
   EXPECT_PRED_FORMAT2(IsSubstring, "No such file or directory", refusal([&] {
-                        reports::write_file_atomically(folder / "no/where", "text");
+                        records::write_file_atomically(folder / "no/where", "text");
                       }));
 }
 
@@ -50,19 +50,19 @@ TEST(AtomicFile, FolderWhereAFileStandsIsRefused) {
   const TemporaryFolder folder;
   folder.write("a", "text");
   EXPECT_PRED_FORMAT2(IsSubstring, "cannot create the folder",
-                      refusal([&] { reports::make_folder(folder / "a"); }));
+                      refusal([&] { records::make_folder(folder / "a"); }));
   EXPECT_PRED_FORMAT2(IsSubstring, "cannot create the folder",
-                      refusal([&] { reports::make_folder(folder / "a/b"); }));
-  EXPECT_NO_THROW(reports::make_folder(folder / "b/c"));
-  EXPECT_NO_THROW(reports::make_folder(folder / "b/c"));
+                      refusal([&] { records::make_folder(folder / "a/b"); }));
+  EXPECT_NO_THROW(records::make_folder(folder / "b/c"));
+  EXPECT_NO_THROW(records::make_folder(folder / "b/c"));
 }
 
 TEST(AtomicFile, ReadingAFolderOrNothingIsRefused) {
   const TemporaryFolder folder;
   EXPECT_PRED_FORMAT2(IsSubstring, "Is a directory",
-                      refusal([&] { reports::read_file(folder.path()); }));
+                      refusal([&] { records::read_file(folder.path()); }));
   EXPECT_PRED_FORMAT2(IsSubstring, "No such file",
-                      refusal([&] { reports::read_file(folder / "a"); }));
+                      refusal([&] { records::read_file(folder / "a"); }));
 }
 
 }  // namespace

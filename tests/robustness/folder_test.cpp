@@ -1,5 +1,5 @@
 // One study per folder, one writer at a time.
-#include "parapet/study/folder_lock.hpp"
+#include "parapet/records/folder_lock.hpp"
 #include "study_fixture.hpp"
 #include "tiny_specs.hpp"
 
@@ -51,7 +51,7 @@ TEST_F(StudyFolderRules, LogWithoutStudyJsonIsRefused) {
 TEST_F(StudyFolderRules, SecondWriterIsRefusedWhileTheFirstWrites) {
   const auto before = contents("calm");
   {
-    const study::FolderLock lock(folder / "calm");
+    const records::FolderLock lock(folder / "calm");
     const Outcome outcome = run_program(folder.path(), command("calm"));
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_PRED_FORMAT2(IsSubstring, "another parapet process", outcome.err);

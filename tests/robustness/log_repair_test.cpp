@@ -5,20 +5,20 @@
 #include <csignal>
 #include <limits>
 
-#include "parapet/reports/atomic_file.hpp"
-#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/records/atomic_file.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "program_runner.hpp"
 
 namespace parapet::test {
 namespace {
 
-using reports::EvaluationLog;
-using reports::EvaluationRecord;
+using records::EvaluationLog;
+using records::EvaluationRecord;
 using ::testing::IsSubstring;
 
 EvaluationRecord sample(int number) {
   EvaluationRecord record;
-  record.id = reports::evaluation_id(number);
+  record.id = records::evaluation_id(number);
   record.stage = "search";
   record.design = {{"angle_deg", 0.1 * number}, {"height_m", 1.0 / (3.0 + number)}};
   record.ok = true;
@@ -53,7 +53,7 @@ TEST(EvaluationLogFile, KeepsEveryBitOfEveryNumber) {
   const EvaluationLog log(folder / "log");
   ASSERT_EQ(log.records().size(), 1U);
   EXPECT_EQ(log.records().front().design, record.design);
-  EXPECT_EQ(reports::to_json(log.records().front()), reports::to_json(record));
+  EXPECT_EQ(records::to_json(log.records().front()), records::to_json(record));
   ASSERT_NE(log.find(record.design, record.spacing), nullptr);
   EXPECT_EQ(log.find(record.design, 2.0 * record.spacing), nullptr);
   record.design["d"] = std::nextafter(1.0 / 3.0, 1.0);
@@ -63,7 +63,7 @@ TEST(EvaluationLogFile, KeepsEveryBitOfEveryNumber) {
 
 TEST(EvaluationLogFile, KeepsScenariosOptionsAndCosts) {
   EvaluationRecord record = sample(1);
-  const std::string plain = reports::to_json(record).dump();
+  const std::string plain = records::to_json(record).dump();
   for (const char* key : {"scenarios", "options", "cpu_time_s", "particle_steps"}) {
     EXPECT_EQ(plain.find(key), std::string::npos) << key << " is written only when present";
   }
@@ -72,9 +72,9 @@ TEST(EvaluationLogFile, KeepsScenariosOptionsAndCosts) {
   record.particle_steps = 1e7;
   record.scenarios = {{"soft", 0.25, true, "", record.metrics, 0.5, 0.1, 4e6},
                       {"stiff", 0.75, false, "it broke", {}, 0.0, 0.0, 0.0}};
-  const auto json = reports::to_json(record);
-  const EvaluationRecord again = reports::record_from_json(designs::Json::parse(json.dump()));
-  EXPECT_EQ(reports::to_json(again).dump(), json.dump());
+  const auto json = records::to_json(record);
+  const EvaluationRecord again = records::record_from_json(designs::Json::parse(json.dump()));
+  EXPECT_EQ(records::to_json(again).dump(), json.dump());
   ASSERT_EQ(again.scenarios.size(), 2U);
   EXPECT_EQ(again.scenarios[0].metrics[1].absent_reason, "no \"overflow\"\n");
   EXPECT_EQ(again.scenarios[1].reason, "it broke");
@@ -153,7 +153,7 @@ TEST(EvaluationLogFile, FullDiskLeavesNoHalfLine) {
   tight.rlim_cur = before.size() + 20;
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
-  EXPECT_THROW(log.append(sample(2)), reports::FileError);
+  EXPECT_THROW(log.append(sample(2)), records::FileError);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &usual), 0);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(file_text(folder / "log"), before);

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 
 namespace parapet::validation {
 namespace {
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, QuickSuite, testing::ValuesIn(case_names()),
 TEST(Pages, AreWhatTheScorecardsSay) {
   const std::filesystem::path folder = PARAPET_DOCS_VALIDATION;
   for (const Page& page : pages(folder)) {
-    EXPECT_EQ(reports::read_file(folder / page.file), page.text)
+    EXPECT_EQ(records::read_file(folder / page.file), page.text)
         << "mend with: parapet validate --pages-only";
   }
 }
@@ -59,7 +59,7 @@ TEST(Pages, EveryFigureOfTheScorecardsIsThere) {
   const std::filesystem::path folder = PARAPET_DOCS_VALIDATION;
   for (const std::string& name : case_names()) {
     if (!std::filesystem::exists(folder / (name + ".json"))) continue;  // the page says: not run
-    const auto json = nlohmann::ordered_json::parse(reports::read_file(folder / (name + ".json")));
+    const auto json = nlohmann::ordered_json::parse(records::read_file(folder / (name + ".json")));
     const Scorecard card = scorecard_from_json(json);
     EXPECT_TRUE(card.full) << name;
     EXPECT_EQ(card.failure, "") << name;

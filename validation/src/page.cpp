@@ -8,7 +8,7 @@
 
 #include "case.hpp"
 #include "embedded.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 #include "parapet/validation/suite.hpp"
 
 namespace parapet::validation {
@@ -22,7 +22,7 @@ Cards read_cards(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / (std::string(c.name) + ".json");
     if (!std::filesystem::exists(file)) continue;
     try {
-      const auto json = nlohmann::ordered_json::parse(reports::read_file(file));
+      const auto json = nlohmann::ordered_json::parse(records::read_file(file));
       cards.emplace(c.name, scorecard_from_json(json));
     } catch (const nlohmann::json::exception& error) {
       throw std::invalid_argument(file.string() + ": " + error.what());

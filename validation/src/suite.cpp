@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "case.hpp"
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 #include "slots.hpp"
 
 namespace parapet::validation {
@@ -41,12 +41,12 @@ std::optional<Scorecard> carry_out(const Case& c, const SuiteOptions& options, S
     c.run(run);
   } catch (const Cancelled&) {
     return std::nullopt;
-  } catch (const reports::FileError&) {
+  } catch (const records::FileError&) {
     throw;
   } catch (const std::exception& error) {
     card.failure = error.what();
   }
-  reports::write_file_atomically(options.folder / (card.name + ".json"),
+  records::write_file_atomically(options.folder / (card.name + ".json"),
                                  to_json(card).dump(2) + "\n");
   return card;
 }
@@ -61,7 +61,7 @@ std::vector<CaseInfo> list_cases() {
 
 SuiteOutcome run_suite(const SuiteOptions& options) {
   const std::vector<const Case*> cases = chosen_cases(options.only);
-  reports::make_folder(options.folder);
+  records::make_folder(options.folder);
   Slots slots(std::max(1, options.jobs), options.cancelled, options.on_progress);
   std::vector<std::optional<Scorecard>> cards(cases.size());
   std::mutex mutex;

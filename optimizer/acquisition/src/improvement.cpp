@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "box_side.hpp"
-#include "checks.hpp"
-#include "normal_tail.hpp"
+#include "parapet/math/normal.hpp"
+#include "parapet/math/normal_tail.hpp"
 
 namespace parapet::acquisition {
 namespace {
@@ -17,11 +17,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 double log_thin_side(double t, double w) {
   double slope;  // Phi''(t) / Phi(t) = -t phi(t) / Phi(t)
   if (t > -1.0) {
-    slope = -t * inverse_sqrt_two_pi * std::exp(-0.5 * t * t - log_normal_cdf(t));
+    slope = -t * math::inverse_sqrt_two_pi * std::exp(-0.5 * t * t - math::log_normal_cdf(t));
   } else {
-    slope = t * t / (1.0 - excess_factor()(-t));
+    slope = t * t / (1.0 - math::excess_factor()(-t));
   }
-  return log_normal_cdf(t) + std::log(w) + std::log1p(slope * w * w / 24.0);
+  return math::log_normal_cdf(t) + std::log(w) + std::log1p(slope * w * w / 24.0);
 }
 
 }  // namespace
@@ -36,15 +36,15 @@ double log_box_side(double lower, double upper, double mean, double sd) {
     // are both near 1e-14.
     return std::log(sd) + log_thin_side(t_upper - 0.5 * width, width);
   }
-  const ExcessFactor& q = excess_factor();
+  const ExcessFactor& q = math::excess_factor();
   if (t_upper <= 0.0) {
     // Both in the lower tail: the density at the upper end is taken out.
     const double decay = std::exp(0.5 * width * (t_lower + t_upper));
-    return std::log(sd) - 0.5 * t_upper * t_upper - log_sqrt_two_pi +
+    return std::log(sd) - 0.5 * t_upper * t_upper - math::log_sqrt_two_pi +
            std::log(q(-t_upper) - q(-t_lower) * decay);
   }
   const auto tail = [&](double t) {
-    return inverse_sqrt_two_pi * std::exp(-0.5 * t * t) * q(std::abs(t));
+    return math::inverse_sqrt_two_pi * std::exp(-0.5 * t * t) * q(std::abs(t));
   };
   const double straight = t_lower > 0.0 ? upper - lower : upper - mean;
   return std::log(straight + sd * (tail(t_upper) - tail(t_lower)));
@@ -64,10 +64,10 @@ double LogAdder::total() const {
 }
 
 double log_ehvi(const std::vector<Box>& boxes, const Objectives& mean, const Objectives& sd) {
-  check_objectives("the standard deviation", sd, mean.size());
+  math::check_objectives("the standard deviation", sd, mean.size());
   LogAdder sum;
   for (const Box& box : boxes) {
-    check_objectives("a box", box.lower, mean.size());
+    math::check_objectives("a box", box.lower, mean.size());
     double log_share = 0.0;
     for (Eigen::Index j = 0; j < mean.size(); ++j) {
       log_share += log_box_side(box.lower[j], box.upper[j], mean[j], sd[j]);

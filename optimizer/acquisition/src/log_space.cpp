@@ -4,28 +4,14 @@
 #include <numbers>
 #include <utility>
 
-#include "normal_tail.hpp"
 #include "parapet/acquisition/improvement.hpp"
+#include "parapet/math/normal.hpp"
+#include "parapet/math/normal_tail.hpp"
 
 namespace parapet::acquisition {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Below this Phi comes from Mills' ratio, above from erfc; both are good to the last digits here.
-constexpr double far_tail = -10.0;
-
-double log_normal_density(double t) {
-  return -0.5 * t * t - log_sqrt_two_pi;
-}
-
-/// Mills' ratio (1 - Phi(t)) / phi(t) of t >= 0.
-double mills_ratio(double t) {
-  if (t < -far_tail) {
-    return 0.5 * std::erfc(t * inverse_sqrt_two) * std::exp(0.5 * t * t) / inverse_sqrt_two_pi;
-  }
-  return (1.0 - excess_factor()(t)) / t;
-}
 
 /// log(Phi(b) - Phi(a)) for a < b <= 0. The density at b is taken out, so that nothing underflows:
 ///   Phi(b) - Phi(a) = phi(b) (R(-b) - R(-a) exp((b^2 - a^2) / 2)).
@@ -35,31 +21,25 @@ double log_tail_interval(double a, double b, double width) {
     // Thin: phi at the middle times the width, with the second derivative's share; the next term is
     // (width t)^4 / 1920 and the subtraction below would lose more digits than that.
     const double middle = b - 0.5 * width;
-    return log_normal_density(middle) + std::log(width) +
+    return math::log_normal_density(middle) + std::log(width) +
            std::log1p((middle * middle - 1.0) * width * width / 24.0);
   }
-  if (a == -infinity) return log_normal_cdf(b);
+  if (a == -infinity) return math::log_normal_cdf(b);
   const double decay = std::exp(0.5 * width * (a + b));
-  return log_normal_density(b) + std::log(mills_ratio(-b) - mills_ratio(-a) * decay);
+  return math::log_normal_density(b) +
+         std::log(math::mills_ratio(-b) - math::mills_ratio(-a) * decay);
 }
 
 }  // namespace
-
-double log_normal_cdf(double t) {
-  if (t > 0.0) return std::log1p(-0.5 * std::erfc(t * inverse_sqrt_two));
-  if (t > far_tail) return std::log(0.5 * std::erfc(-t * inverse_sqrt_two));
-  if (t == -infinity) return -infinity;
-  return log_normal_density(t) + std::log(mills_ratio(-t));
-}
 
 double log_expected_excess(double x, double sigma) {
   if (sigma == 0.0) return std::log(std::max(0.0, x));
   const double t = x / sigma;
   if (t > 0.0) {
     if (!(t < infinity)) return std::log(x);
-    return std::log(x + sigma * std::exp(log_normal_density(t)) * excess_factor()(t));
+    return std::log(x + sigma * std::exp(math::log_normal_density(t)) * math::excess_factor()(t));
   }
-  return std::log(sigma) + log_normal_density(t) + std::log(excess_factor()(-t));
+  return std::log(sigma) + math::log_normal_density(t) + std::log(math::excess_factor()(-t));
 }
 
 double log_difference(double a, double b) {
@@ -92,9 +72,10 @@ double log_probability_within(double mean, double sd, double lower, double upper
   if (b <= 0.0) return log_tail_interval(a, b, width);
   if (a >= 0.0) return log_tail_interval(-b, -a, width);
   const double left_out =
-      0.5 * (std::erfc(-a * inverse_sqrt_two) + std::erfc(b * inverse_sqrt_two));
+      0.5 * (std::erfc(-a * math::inverse_sqrt_two) + std::erfc(b * math::inverse_sqrt_two));
   if (left_out < 0.5) return std::log1p(-left_out);
-  return std::log(0.5 * (std::erf(-a * inverse_sqrt_two) + std::erf(b * inverse_sqrt_two)));
+  return std::log(0.5 *
+                  (std::erf(-a * math::inverse_sqrt_two) + std::erf(b * math::inverse_sqrt_two)));
 }
 
 }  // namespace parapet::acquisition

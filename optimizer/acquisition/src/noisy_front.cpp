@@ -5,9 +5,8 @@
 #include <stdexcept>
 
 #include "box_side.hpp"
-#include "checks.hpp"
-#include "normal_tail.hpp"
 #include "parapet/acquisition/improvement.hpp"
+#include "parapet/math/normal_tail.hpp"
 
 namespace parapet::acquisition {
 namespace {
@@ -83,9 +82,9 @@ NoisyFront::NoisyFront(const std::vector<Eigen::MatrixXd>& objectives,
 /// kept apart so that the difference of two limits keeps its digits.
 double NoisyFront::plain_improvement(const Front& front, const double* mean, const double* sd,
                                      std::vector<Excess>& excess) const {
-  const ExcessFactor& q = excess_factor();
+  const ExcessFactor& q = math::excess_factor();
   for (std::size_t j = 0; j < n_objectives_; ++j) {
-    const double inverse_sd = 1.0 / sd[j], scale = sd[j] * inverse_sqrt_two_pi;
+    const double inverse_sd = 1.0 / sd[j], scale = sd[j] * math::inverse_sqrt_two_pi;
     Excess* e = &excess[j * most_limits_];
     for (const double limit : front.limits[j]) {
       const double x = limit - mean[j], t = x * inverse_sd;
@@ -144,7 +143,7 @@ double NoisyFront::log_improvement_of(const Front& front, const double* mean, co
 double NoisyFront::log_improvement(const Eigen::MatrixXd& means, const Objectives& sd,
                                    const Eigen::VectorXd& log_feasible) const {
   const auto m = static_cast<Eigen::Index>(n_objectives_);
-  check_objectives("the standard deviation", sd, m);
+  math::check_objectives("the standard deviation", sd, m);
   if (means.rows() != n_samples() || means.cols() != m || log_feasible.size() != n_samples()) {
     throw std::invalid_argument("means are needed as " + std::to_string(n_samples()) + " x " +
                                 std::to_string(m) + ", feasibility as one value per draw");

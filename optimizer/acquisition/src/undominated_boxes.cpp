@@ -3,8 +3,7 @@
 #include <cmath>
 #include <span>
 
-#include "checks.hpp"
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/acquisition/boxes.hpp"
 
 namespace parapet::acquisition {
 namespace {
@@ -82,15 +81,15 @@ std::vector<Bounds> boxes_below(std::vector<const double*> points, const Region&
 std::vector<Box> undominated_boxes(const std::vector<Objectives>& points,
                                    const Objectives& reference, const Objectives& ideal) {
   const Eigen::Index m = reference.size();
-  check_objectives("the reference point", reference, std::max<Eigen::Index>(1, m));
-  check_objectives("the ideal point", ideal, m);
+  math::check_objectives("the reference point", reference, std::max<Eigen::Index>(1, m));
+  math::check_objectives("the ideal point", ideal, m);
   std::vector<Objectives> front;
   for (const Objectives& p : points) {
-    check_objectives("a point of the front", p, m);
+    math::check_objectives("a point of the front", p, m);
     if ((p.array() < reference.array()).all()) front.push_back(p);
   }
   std::vector<const double*> rows;
-  for (const std::size_t i : non_dominated(front)) rows.push_back(front[i].data());
+  for (const std::size_t i : math::non_dominated(front)) rows.push_back(front[i].data());
 
   std::vector<Box> boxes;
   for (const Bounds& bounds : boxes_below(rows, {reference, ideal}, static_cast<std::size_t>(m))) {

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "candidates.hpp"
-#include "parapet/acquisition/hypervolume.hpp"
 #include "parapet/acquisition/improvement.hpp"
+#include "parapet/math/pareto.hpp"
 #include "search_state.hpp"
 
 namespace parapet::bayesian {
@@ -114,7 +114,7 @@ std::vector<Assessed> Search::assessed() const {
 
 std::vector<std::size_t> Search::pareto() const {
   std::vector<std::size_t> indices;
-  std::vector<acquisition::Objectives> points;
+  std::vector<math::Objectives> points;
   for (std::size_t k = 0; k < state_->told.size(); ++k) {
     const Told& t = state_->told[k];
     const double tolerance = state_->options.feasibility_tolerance;
@@ -128,7 +128,7 @@ std::vector<std::size_t> Search::pareto() const {
     }
   }
   std::vector<std::size_t> front;
-  for (const std::size_t k : acquisition::non_dominated(points)) front.push_back(indices[k]);
+  for (const std::size_t k : math::non_dominated(points)) front.push_back(indices[k]);
   return front;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 
 namespace parapet::bayesian {
 namespace {
@@ -131,9 +131,9 @@ void Gain::choose_front_designs(const Input& input) {
         left.push_back(k);
     }
     while (!left.empty() && chosen.size() < most_front_designs) {
-      std::vector<acquisition::Objectives> points;
+      std::vector<math::Objectives> points;
       for (const std::size_t k : left) points.emplace_back(means.row(index(k)).transpose());
-      const auto layer = acquisition::non_dominated(points);
+      const auto layer = math::non_dominated(points);
       std::vector<std::size_t> rest;
       for (std::size_t k = 0; k < left.size(); ++k) {
         const bool in_layer = std::find(layer.begin(), layer.end(), k) != layer.end();
@@ -188,7 +188,7 @@ void Gain::draw(const Input& input) {
   for (int s = 0; s < n_samples_; ++s) {
     Eigen::MatrixXd y(index(designs_.size()), index(objectives_.size()));
     Eigen::VectorXi meets(index(designs_.size()));
-    std::vector<acquisition::Objectives> good;
+    std::vector<math::Objectives> good;
     for (std::size_t k = 0; k < designs_.size(); ++k) {
       for (std::size_t j = 0; j < objectives_.size(); ++j) {
         const ObjectiveView& view = objectives_[j];
@@ -201,7 +201,7 @@ void Gain::draw(const Input& input) {
       meets[index(k)] = limits_met(k, s) ? 1 : 0;
       if (meets[index(k)] == 1) good.emplace_back(y.row(index(k)).transpose());
     }
-    mean_hypervolume_ += acquisition::hypervolume(good, reference_) / n_samples_;
+    mean_hypervolume_ += math::hypervolume(good, reference_) / n_samples_;
     objectives.push_back(std::move(y));
     feasible.push_back(std::move(meets));
   }

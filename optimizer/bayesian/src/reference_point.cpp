@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 
 namespace parapet::bayesian {
 namespace {
@@ -52,7 +52,7 @@ std::optional<Eigen::VectorXd> reference_point(const Problem& problem,
   if (all.empty()) return std::nullopt;
   auto points = observed(problem, told, tolerance, true);
   if (points.empty()) points = all;
-  const auto front = acquisition::non_dominated(points);
+  const auto front = math::non_dominated(points);
   for (Eigen::Index j = 0; j < n; ++j) {
     if (!std::isnan(reference[j])) continue;
     double best = points[front.front()][j], worst = best;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 #include "problem_checks.hpp"
 #include "search_state.hpp"
 

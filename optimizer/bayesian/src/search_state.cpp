@@ -7,7 +7,7 @@
 
 #include "level_choice.hpp"
 #include "maximize_gain.hpp"
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/math/pareto.hpp"
 #include "reference_point.hpp"
 
 namespace parapet::bayesian {
@@ -65,7 +65,7 @@ void Search::State::update_history() {
   const bool moved = history_reference.size() == 0 || *reference != history_reference;
   history_reference = *reference;
   std::size_t first = moved ? 0 : history.size();
-  std::vector<acquisition::Objectives> points;
+  std::vector<math::Objectives> points;
   double seconds = 0.0;
   for (std::size_t k = 0; k < told.size(); ++k) {
     seconds += told[k].seconds;
@@ -75,7 +75,7 @@ void Search::State::update_history() {
       if (auto y = minimized(problem, told[k].values)) points.push_back(std::move(*y));
     }
     if (k < first) continue;
-    const double volume = acquisition::hypervolume(points, history_reference);
+    const double volume = math::hypervolume(points, history_reference);
     const HistoryEntry entry{static_cast<int>(k) + 1, seconds, volume};
     if (k < history.size()) {
       history[k] = entry;

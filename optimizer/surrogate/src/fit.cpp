@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "marginal_likelihood.hpp"
-#include "normal.hpp"
 #include "parameter_vector.hpp"
+#include "parapet/math/normal.hpp"
 #include "quasi_newton.hpp"
 #include "unit_points.hpp"
 
@@ -45,7 +45,7 @@ std::vector<Eigen::VectorXd> starting_points(const ParameterVector& vector, cons
   const Eigen::MatrixXd u =
       unit_points(options.starts, static_cast<int>(vector.size()), options.seed);
   for (int s = 1; s < options.starts; ++s) {
-    const Eigen::VectorXd t = u.row(s).unaryExpr([](double p) { return normal_quantile(p); });
+    const Eigen::VectorXd t = u.row(s).unaryExpr([](double p) { return math::normal_quantile(p); });
     points.push_back(priors.centre + priors.deviation.cwiseProduct(t));
   }
   return points;

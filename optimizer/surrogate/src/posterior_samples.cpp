@@ -2,7 +2,7 @@
 #include <string>
 
 #include "covariance.hpp"
-#include "normal.hpp"
+#include "parapet/math/normal.hpp"
 #include "parapet/surrogate/gaussian_process.hpp"
 #include "triangular.hpp"
 #include "unit_points.hpp"
@@ -22,7 +22,7 @@ PosteriorSamples::PosteriorSamples(const GaussianProcess& process, const Eigen::
   whitened_ = process.whitened(at_, 0);
   const auto p = static_cast<int>(at_.rows());
   weights_ = unit_points(n_samples, p, seed)
-                 .unaryExpr([](double u) { return normal_quantile(u); })
+                 .unaryExpr([](double u) { return math::normal_quantile(u); })
                  .transpose();
   values_ = (factor_ * weights_).transpose();
   values_.rowwise() += joint.mean.transpose();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "normal.hpp"
+#include "parapet/math/normal.hpp"
 #include "triangular.hpp"
 
 namespace parapet::surrogate {
@@ -16,7 +16,7 @@ struct Derivatives {
 };
 Derivatives derivatives(double sign, double f) {
   const double t = sign * f;
-  const double h = normal_hazard(t);
+  const double h = math::normal_hazard(t);
   const double weight = std::max(h * (h + t), 0.0);
   return {sign * h, weight, sign * (weight * (2.0 * h + t) - h)};
 }
@@ -25,7 +25,7 @@ Derivatives derivatives(double sign, double f) {
 double objective(const Eigen::VectorXd& signs, const Eigen::VectorXd& latent, double mean,
                  const Eigen::VectorXd& b) {
   double sum = -0.5 * b.dot((latent.array() - mean).matrix());
-  for (Eigen::Index i = 0; i < signs.size(); ++i) sum += log_normal_cdf(signs(i) * latent(i));
+  for (Eigen::Index i = 0; i < signs.size(); ++i) sum += math::log_normal_cdf(signs(i) * latent(i));
   return sum;
 }
 
@@ -113,7 +113,7 @@ ProbitEvidence::ProbitEvidence(const Layout& layout, const Eigen::MatrixXd& inpu
   bounds_.upper(amplitude) = std::log(10.0);
   const auto successes = static_cast<double>((signs.array() > 0.0).count());
   // Half a success and half a failure more (Jeffreys), so that the rate is never 0 or 1.
-  base_quantile_ = normal_quantile((successes + 0.5) / (static_cast<double>(n) + 1.0));
+  base_quantile_ = math::normal_quantile((successes + 0.5) / (static_cast<double>(n) + 1.0));
 }
 
 Eigen::MatrixXd ProbitEvidence::covariance(const Eigen::VectorXd& x, Eigen::ArrayXXd* slope) const {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "covariance.hpp"
-#include "normal.hpp"
+#include "parapet/math/normal.hpp"
 #include "probit_laplace.hpp"
 #include "unit_points.hpp"
 
@@ -50,7 +50,7 @@ Eigen::VectorXd likeliest(const ProbitEvidence& evidence, Eigen::Index n, std::u
   for (int s = 0; s < n_starts; ++s) {
     Eigen::VectorXd start = evidence.centre();
     for (Eigen::Index i = 0; s > 0 && i < start.size(); ++i) {
-      start(i) += evidence.deviation()(i) * normal_quantile(u(s, i));
+      start(i) += evidence.deviation()(i) * math::normal_quantile(u(s, i));
     }
     Descent at = begin_descent(function, start, evidence.bounds());
     continue_descent(function, evidence.bounds(), calls, tolerance_nats, at);
@@ -95,7 +95,7 @@ Eigen::VectorXd SuccessModel::log_probability(const Eigen::MatrixXd& inputs) con
   const Eigen::VectorXd mean = (k.transpose() * gradient_).array() + mean_;
   Eigen::VectorXd result(inputs.rows());
   for (Eigen::Index j = 0; j < result.size(); ++j) {
-    result(j) = std::min(log_normal_cdf(mean(j)), 0.0);
+    result(j) = std::min(math::log_normal_cdf(mean(j)), 0.0);
   }
   return result;
 }

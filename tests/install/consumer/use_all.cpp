@@ -6,8 +6,8 @@
 #include "parapet/acquisition/improvement.hpp"
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/optimizer/optimize.hpp"
+#include "parapet/records/hashes.hpp"
 #include "parapet/reports/line_plot.hpp"
-#include "parapet/study/hashes.hpp"
 #include "parapet/surrogate/gaussian_process.hpp"
 
 int main() {
@@ -20,7 +20,7 @@ int main() {
   if (spec.variables.empty() || designs::evaluate_expression("2 * a", {{"a", 21.0}}) != 42.0) {
     return 1;
   }
-  if (study::study_hash(spec).empty()) return 1;
+  if (records::study_hash(spec).empty()) return 1;
 
   // (x - 0.3)^2 by COBYLA: the optimum to a hundredth of the range.
   optimizer::Problem problem;
@@ -39,7 +39,7 @@ int main() {
   if (!result.best || std::abs(result.best->x[0] - 0.3) > 0.01) return 1;
 
   // One point in the unit square and one that is known to halve what is left.
-  const auto point = [](double a, double b) { return acquisition::Objectives{{a, b}}; };
+  const auto point = [](double a, double b) { return math::Objectives{{a, b}}; };
   const auto boxes =
       acquisition::undominated_boxes({point(0.5, 0.0)}, point(1.0, 1.0), point(0.0, 0.0));
   const double gain = acquisition::log_ehvi(boxes, point(0.25, 0.0), point(0.0, 0.0));

@@ -109,7 +109,7 @@ TEST(StudyAsSearchProblem, DesignsAndPointsAreTheSameThing) {
 TEST(StudyAsSearchProblem, ObservationsHaveRepeatableCosts) {
   const auto study = parsed(fake_study());
   const auto problem = study::make_search_problem(study);
-  reports::EvaluationRecord record;
+  records::EvaluationRecord record;
   record.ok = true;
   record.spacing = 0.02;
   record.cpu_time = 123.0;

@@ -49,8 +49,8 @@ FakeSimulator::FakeSimulator(Behaviour behaviour) : state_(std::make_shared<Stat
   state_->behaviour = std::move(behaviour);
 }
 
-study::Simulation FakeSimulator::operator()(const study::SimulationTask& task) const {
-  study::Simulation simulation;
+records::Simulation FakeSimulator::operator()(const study::SimulationTask& task) const {
+  records::Simulation simulation;
   if (state_->behaviour.delays) {
     thread_local std::mt19937_64 generator(std::random_device{}());
     std::this_thread::sleep_for(std::chrono::microseconds(generator() % 3000));

@@ -42,7 +42,7 @@ class FakeSimulator {
   explicit FakeSimulator(Behaviour behaviour);
   FakeSimulator() : FakeSimulator(Behaviour{}) {}
 
-  study::Simulation operator()(const study::SimulationTask& task) const;
+  records::Simulation operator()(const study::SimulationTask& task) const;
 
   int ended() const;                          ///< simulations that were not cancelled
   std::map<std::string, int> counts() const;  ///< by design, spacing and scenario

@@ -98,9 +98,9 @@ TEST_F(Outputs, HypervolumeGrowsAndEndsAtTheFrontsOwn) {
   EXPECT_TRUE(on_disk["optimizer_time_s"].is_number());
 }
 
-reports::EvaluationRecord made_record(const std::string& id, double f1, double f2, bool feasible,
+records::EvaluationRecord made_record(const std::string& id, double f1, double f2, bool feasible,
                                       double spacing) {
-  reports::EvaluationRecord record;
+  records::EvaluationRecord record;
   record.id = id;
   record.ok = true;
   record.feasible = feasible;

@@ -50,7 +50,7 @@ TEST(Subproblems, BeginWithTheEndsOfTheFrontAndSpreadBetween) {
   Json json = fake_study();
   json["method"]["scalarization"] = "epsilon_constraint";
   const auto study = parsed(json);
-  std::vector<reports::EvaluationRecord> evaluated(2);
+  std::vector<records::EvaluationRecord> evaluated(2);
   for (auto& record : evaluated) record.ok = record.feasible = true;
   evaluated[0].objectives = {{"f1", designs::Goal::minimize, 1.0, 1.0, false},
                              {"f2", designs::Goal::minimize, 1.0, 9.0, false}};

@@ -144,7 +144,7 @@ TEST(ScenarioScoring, ObjectivesOfEveryKindAddUp) {
   EXPECT_EQ(score.objectives[3].metric, "height");
   EXPECT_NEAR(*score.objective_scalar, 3.0 + 2.0 * 1.7 - 0.5 + 0.7, 1e-14);
   const auto minimized = [&] {
-    reports::EvaluationRecord record;
+    records::EvaluationRecord record;
     record.objectives = score.objectives;
     return study::minimized_objectives(record);
   }();

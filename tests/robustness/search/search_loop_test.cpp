@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fake_study.hpp"
-#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/records/evaluation_log.hpp"
 
 namespace parapet::test {
 namespace {

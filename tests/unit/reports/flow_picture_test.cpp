@@ -4,7 +4,7 @@
 #include <complex>
 #include <stdexcept>
 
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 #include "picture_pixels.hpp"
 #include "scratch_folder.hpp"
 
@@ -165,7 +165,7 @@ TEST_F(FlowPicture, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(draw_flow(file, scene, spacing, {three_blocks(0.0)}, empty), std::invalid_argument);
   EXPECT_EQ(files(), 0U);
   EXPECT_THROW(draw_flow(folder_ / "none" / "flow.png", scene, spacing, {three_blocks(0.0)}),
-               FileError);
+               records::FileError);
 }
 
 TEST(TakeSnapshot, KeepsPlacesAndSpeeds) {

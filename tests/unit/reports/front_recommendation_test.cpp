@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "parapet/designs/error.hpp"
-#include "parapet/reports/confirmation.hpp"
-#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "parapet/reports/recommendation.hpp"
+#include "parapet/study/confirmation.hpp"
 #include "scratch_folder.hpp"
 
 namespace parapet::reports {
@@ -40,9 +40,9 @@ class TradeOff : public ScratchFolder {
                                       .dump());
   }
 
-  EvaluationRecord record(double height, std::optional<double> angle, double retention,
-                          double reach, double force, double spacing) {
-    EvaluationRecord record;
+  records::EvaluationRecord record(double height, std::optional<double> angle, double retention,
+                                   double reach, double force, double spacing) {
+    records::EvaluationRecord record;
     record.stage = "search";
     record.design = {{"height_m", height}, {"deflector", angle ? 1.0 : 0.0}};
     if (angle) record.design["angle_deg"] = *angle;
@@ -66,8 +66,8 @@ class TradeOff : public ScratchFolder {
 
   void add(double height, std::optional<double> angle, double retention, double reach,
            double force = 50.0, double spacing = 0.01) {
-    EvaluationRecord one = record(height, angle, retention, reach, force, spacing);
-    one.id = evaluation_id(++count_);
+    records::EvaluationRecord one = record(height, angle, retention, reach, force, spacing);
+    one.id = records::evaluation_id(++count_);
     log_ += to_json(one).dump() + "\n";
   }
 
@@ -85,7 +85,7 @@ class TradeOff : public ScratchFolder {
 
   void confirm(const std::string& pick, const std::string& role, const std::string& stage,
                double retention, double reach, double force) {
-    EvaluationRecord one = record(0.18, std::nullopt, retention, reach, force, 0.01);
+    records::EvaluationRecord one = record(0.18, std::nullopt, retention, reach, force, 0.01);
     one.id = pick + "-" + role;
     one.stage = stage;
     confirmations_ += to_json(one).dump() + "\n";
@@ -119,7 +119,7 @@ class TradeOff : public ScratchFolder {
     write(folder_ / "pareto.json", json.dump());
   }
 
-  Recommendation recommended(const PickRule& rule = {}) {
+  Recommendation recommended(const study::PickRule& rule = {}) {
     write(folder_ / "evaluations.jsonl", log_);
     if (!confirmations_.empty()) write(folder_ / "confirmations.jsonl", confirmations_);
     return recommend(folder_, rule);
@@ -176,12 +176,13 @@ TEST_F(TradeOff, LeavingTheKneeHasItsPrice) {
 TEST_F(TradeOff, WeightsAreOverTheRangesOfTheFront) {
   add_front();
   // Reach alone: its end. Retention ten times as much: its end. Names of objectives or metrics.
-  EXPECT_EQ(recommended(parse_pick_rule("", "reach_m=1", {})).json["recommended"]["id"], "0004");
-  EXPECT_EQ(recommended(parse_pick_rule("", "launch_length_m=1,retention_efficiency=10", {}))
+  EXPECT_EQ(recommended(study::parse_pick_rule("", "reach_m=1", {})).json["recommended"]["id"],
+            "0004");
+  EXPECT_EQ(recommended(study::parse_pick_rule("", "launch_length_m=1,retention_efficiency=10", {}))
                 .json["recommended"]["id"],
             "0001");
   const Recommendation even =
-      recommended(parse_pick_rule("", "reach_m=1,retention_efficiency=1", {}));
+      recommended(study::parse_pick_rule("", "reach_m=1,retention_efficiency=1", {}));
   EXPECT_EQ(even.json["recommended"]["id"], "0002");
   EXPECT_NEAR(even.json["front"][1]["score"].get<double>(), 0.05 / 0.45 + 0.10 / 0.28, 1e-12);
   EXPECT_TRUE(says(even, "least weighted sum"));
@@ -190,13 +191,14 @@ TEST_F(TradeOff, WeightsAreOverTheRangesOfTheFront) {
 TEST_F(TradeOff, LimitsTakeTheBestFirstObjectiveWithin) {
   add_front();
   write_pareto({{"0001", 0.9}, {"0002", 0.9}, {"0003", 0.9}, {"0004", 0.9}});
-  const Recommendation result = recommended(parse_pick_rule("limits", "", {"reach_m<=0.11"}));
+  const Recommendation result =
+      recommended(study::parse_pick_rule("limits", "", {"reach_m<=0.11"}));
   EXPECT_EQ(result.json["recommended"]["id"], "0003");
   // One standard deviation (0.01) within the limit: Phi(1), interval given to four digits.
   EXPECT_NEAR(result.json["recommended"]["probability_limits"].get<double>(), 0.8413, 2e-4);
   EXPECT_TRUE(says(result, "has a probability of 84 %")) << result.markdown;
 
-  const Recommendation none = recommended(parse_pick_rule("limits", "", {"reach_m<=0.01"}));
+  const Recommendation none = recommended(study::parse_pick_rule("limits", "", {"reach_m<=0.01"}));
   EXPECT_FALSE(none.feasible);
   EXPECT_TRUE(none.json["recommended"].is_null());
   EXPECT_TRUE(says(none, "but none of them the rule's limits")) << none.markdown;
@@ -206,7 +208,7 @@ TEST_F(TradeOff, LimitsTakeTheBestFirstObjectiveWithin) {
 TEST_F(TradeOff, NamesAnUnknownObjective) {
   add_front();
   try {
-    recommended(parse_pick_rule("", "reach=1", {}));
+    recommended(study::parse_pick_rule("", "reach=1", {}));
     FAIL() << "the name went unseen";
   } catch (const designs::InputError& error) {
     const std::string said = error.what();
@@ -243,8 +245,8 @@ TEST_F(TradeOff, EstimatesOfAnotherSpecAreNotUsed) {
 
 TEST_F(TradeOff, AConfirmedPickStatesItsScatter) {
   add_front();
-  confirm("0002", "near-1", confirmation_stage::near, 0.92, 0.14, 60.0);
-  confirm("0002", "near-2", confirmation_stage::near, 0.88, 0.10, 70.0);
+  confirm("0002", "near-1", study::confirmation_stage::near, 0.92, 0.14, 60.0);
+  confirm("0002", "near-2", study::confirmation_stage::near, 0.88, 0.10, 70.0);
   const Recommendation result = recommended();
   EXPECT_EQ(result.json["confirmation"]["verdict"], "confirmed");
   const Json spread = result.json["confirmation"]["spread"][0];
@@ -256,17 +258,17 @@ TEST_F(TradeOff, AConfirmedPickStatesItsScatter) {
 
 TEST_F(TradeOff, ARunOutsideTheRulesLimitsIsSaid) {
   add_front();
-  confirm("0002", "near-1", confirmation_stage::near, 0.92, 0.14, 60.0);
-  confirm("0002", "near-2", confirmation_stage::near, 0.88, 0.10, 70.0);
-  const Recommendation result = recommended(parse_pick_rule("", "", {"reach_m<=0.13"}));
+  confirm("0002", "near-1", study::confirmation_stage::near, 0.92, 0.14, 60.0);
+  confirm("0002", "near-2", study::confirmation_stage::near, 0.88, 0.10, 70.0);
+  const Recommendation result = recommended(study::parse_pick_rule("", "", {"reach_m<=0.13"}));
   EXPECT_EQ(result.json["recommended"]["id"], "0002");
   EXPECT_TRUE(says(result, "0002-near-1 lies outside")) << result.markdown;
 }
 
 TEST_F(TradeOff, ARefutedPickGivesWayToTheNext) {
   add_front();
-  confirm("0002", "near-1", confirmation_stage::near, 0.90, 0.12, 120.0);
-  confirm("0002", "near-2", confirmation_stage::near, 0.90, 0.12, 130.0);
+  confirm("0002", "near-1", study::confirmation_stage::near, 0.90, 0.12, 120.0);
+  confirm("0002", "near-2", study::confirmation_stage::near, 0.90, 0.12, 130.0);
   const Recommendation result = recommended();
   EXPECT_NE(result.json["recommended"]["id"], "0002");
   EXPECT_EQ(result.json["confirmation"]["verdict"], "none") << "the next was not simulated again";
@@ -277,7 +279,7 @@ TEST_F(TradeOff, ARefutedPickGivesWayToTheNext) {
 TEST_F(TradeOff, ThreeRefutedPicksAreSaidToBeSo) {
   add_front();
   for (const char* id : {"0001", "0002", "0003", "0004"}) {
-    confirm(id, "near-1", confirmation_stage::near, 0.90, 0.12, 120.0);
+    confirm(id, "near-1", study::confirmation_stage::near, 0.90, 0.12, 120.0);
   }
   const Recommendation result = recommended();
   EXPECT_EQ(result.json["recommended"]["id"], "0002");
@@ -288,15 +290,18 @@ TEST_F(TradeOff, ThreeRefutedPicksAreSaidToBeSo) {
 }
 
 TEST(Verdict, CountsNearDesignsAndSpacingsApart) {
-  const auto verdict = [](std::vector<ConfirmationRun> runs) { return verdict_of("0007", runs); };
-  using namespace confirmation_stage;
-  EXPECT_EQ(verdict({}), Verdict::none);
-  EXPECT_EQ(verdict({{"00070-near-1", near, false}}), Verdict::none) << "another design's";
+  const auto verdict = [](std::vector<study::ConfirmationRun> runs) {
+    return study::verdict_of("0007", runs);
+  };
+  using namespace study::confirmation_stage;
+  EXPECT_EQ(verdict({}), study::Verdict::none);
+  EXPECT_EQ(verdict({{"00070-near-1", near, false}}), study::Verdict::none) << "another design's";
   EXPECT_EQ(verdict({{"0007-near-1", near, false}, {"0007-near-2", near, true}}),
-            Verdict::confirmed);
-  EXPECT_EQ(verdict({{"0007-near-1", near, false}}), Verdict::refuted);
-  EXPECT_EQ(verdict({{"0007-near-1", near, true}, {"0007-5mm", spacing, false}}), Verdict::refuted);
-  EXPECT_EQ(verdict({{"0007-finest", finest, true}}), Verdict::confirmed);
+            study::Verdict::confirmed);
+  EXPECT_EQ(verdict({{"0007-near-1", near, false}}), study::Verdict::refuted);
+  EXPECT_EQ(verdict({{"0007-near-1", near, true}, {"0007-5mm", spacing, false}}),
+            study::Verdict::refuted);
+  EXPECT_EQ(verdict({{"0007-finest", finest, true}}), study::Verdict::confirmed);
 }
 
 TEST_F(TradeOff, DrawsTheFrontAndTheProgress) {
@@ -314,7 +319,7 @@ TEST_F(TradeOff, DrawsTheFrontAndTheProgress) {
 TEST_F(TradeOff, RuleBestIsTheSpecsWeightedSum) {
   add_front();
   // reach - retention: 0002 has -0.78, the least among the feasible fine designs.
-  EXPECT_EQ(recommended(parse_pick_rule("best", "", {})).json["recommended"]["id"], "0002");
+  EXPECT_EQ(recommended(study::parse_pick_rule("best", "", {})).json["recommended"]["id"], "0002");
 }
 
 TEST_F(TradeOff, NothingFeasibleGivesNoFront) {

@@ -1,4 +1,4 @@
-#include "parapet/reports/pick_rule.hpp"
+#include "parapet/study/pick_rule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@ namespace {
 std::string refusal(const std::string& rule, const std::string& weights,
                     const std::vector<std::string>& limits) {
   try {
-    parse_pick_rule(rule, weights, limits);
+    study::parse_pick_rule(rule, weights, limits);
   } catch (const designs::InputError& error) {
     return error.what();
   }
@@ -16,27 +16,27 @@ std::string refusal(const std::string& rule, const std::string& weights,
 }
 
 TEST(PickRule, ReadsWeightsAndLimits) {
-  const PickRule weights =
-      parse_pick_rule("weights", "retention_efficiency=2,launch_length_m=0.5", {});
-  EXPECT_EQ(weights.kind, RuleKind::weights);
+  const study::PickRule weights =
+      study::parse_pick_rule("weights", "retention_efficiency=2,launch_length_m=0.5", {});
+  EXPECT_EQ(weights.kind, study::RuleKind::weights);
   EXPECT_EQ(weights.weights.at("retention_efficiency"), 2.0);
   EXPECT_EQ(weights.weights.at("launch_length_m"), 0.5);
-  const PickRule limits =
-      parse_pick_rule("", "", {"launch_length_m<=0.1", "retention_efficiency>=1e-1"});
-  EXPECT_EQ(limits.kind, RuleKind::limits) << "limits alone say which rule";
+  const study::PickRule limits =
+      study::parse_pick_rule("", "", {"launch_length_m<=0.1", "retention_efficiency>=1e-1"});
+  EXPECT_EQ(limits.kind, study::RuleKind::limits) << "limits alone say which rule";
   EXPECT_EQ(limits.limits[0].objective, "launch_length_m");
   EXPECT_EQ(limits.limits[0].upper, 0.1);
   EXPECT_FALSE(limits.limits[0].lower);
   EXPECT_EQ(limits.limits[1].lower, 0.1);
-  EXPECT_EQ(parse_pick_rule("", "", {}).kind, RuleKind::automatic);
+  EXPECT_EQ(study::parse_pick_rule("", "", {}).kind, study::RuleKind::automatic);
 }
 
 TEST(PickRule, IsWrittenAsItIsRead) {
-  EXPECT_EQ(command_line(parse_pick_rule("", "", {})), "");
-  EXPECT_EQ(command_line(parse_pick_rule("knee", "", {})), " --rule knee");
-  EXPECT_EQ(command_line(parse_pick_rule("", "b=1,a=0.5", {})),
+  EXPECT_EQ(study::command_line(study::parse_pick_rule("", "", {})), "");
+  EXPECT_EQ(study::command_line(study::parse_pick_rule("knee", "", {})), " --rule knee");
+  EXPECT_EQ(study::command_line(study::parse_pick_rule("", "b=1,a=0.5", {})),
             " --rule weights --weights a=0.5,b=1");
-  EXPECT_EQ(command_line(parse_pick_rule("", "", {"a<=0.1", "b>=2"})),
+  EXPECT_EQ(study::command_line(study::parse_pick_rule("", "", {"a<=0.1", "b>=2"})),
             " --rule limits --limit \"a<=0.1\" --limit \"b>=2\"");
 }
 

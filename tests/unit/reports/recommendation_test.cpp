@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "parapet/designs/error.hpp"
-#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "scratch_folder.hpp"
 
 namespace parapet::reports {
@@ -31,8 +31,8 @@ class Study : public ScratchFolder {
 
   void add(double angle, double height, double retention, std::optional<double> launch,
            const std::string& stage = "search") {
-    EvaluationRecord record;
-    record.id = evaluation_id(++count_);
+    records::EvaluationRecord record;
+    record.id = records::evaluation_id(++count_);
     record.stage = stage;
     record.design = {{"deflector_angle_deg", angle}, {"barrier_1_height_m", height}};
     record.ok = true;
@@ -40,7 +40,8 @@ class Study : public ScratchFolder {
                       {"launch_length_m", launch, launch ? "" : "nothing overflowed"}};
     record.objectives = {{"retention_efficiency", designs::Goal::maximize, 1.0, retention, false}};
     record.objective_scalar = -retention;
-    ConstraintRecord reach{"reach", launch, std::nullopt, 0.3, !launch || *launch <= 0.3, {}};
+    records::ConstraintRecord reach{"reach", launch, std::nullopt, 0.3, !launch || *launch <= 0.3,
+                                    {}};
     if (launch) reach.margin = 0.3 - *launch;
     record.constraints = {reach};
     record.feasible = reach.satisfied;
@@ -49,8 +50,8 @@ class Study : public ScratchFolder {
   }
 
   void add_failed(const std::string& reason) {
-    EvaluationRecord record;
-    record.id = evaluation_id(++count_);
+    records::EvaluationRecord record;
+    record.id = records::evaluation_id(++count_);
     record.stage = "search";
     record.design = {{"deflector_angle_deg", 1.0}, {"barrier_1_height_m", 0.11}};
     record.reason = reason;

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <sstream>
 
+#include "parapet/study/sweep_result.hpp"
+
 namespace parapet::reports {
 namespace {
 
 using designs::Json;
 
-SweepRowResult row(const std::string& id, const char* published = "null") {
-  SweepRowResult result;
+records::SweepRowResult row(const std::string& id, const char* published = "null") {
+  records::SweepRowResult result;
   result.id = id;
   result.metrics["retention_efficiency"] = 0.593;
   result.metrics["launch_length_m"] = std::nullopt;
@@ -40,37 +42,38 @@ std::string line_of(const std::string& text, const std::string& start) {
 
 TEST(Compare, ARangeGivesAVerdictAndASignedDistance) {
   const Json range = Json::parse(R"({"lower": 0.5, "upper": 0.7})");
-  EXPECT_EQ(compare(0.6, range).verdict, Agreement::Verdict::agrees);
-  EXPECT_EQ(compare(0.5, range).verdict, Agreement::Verdict::agrees);
-  EXPECT_EQ(compare(0.4, range).verdict, Agreement::Verdict::misses);
-  EXPECT_DOUBLE_EQ(compare(0.45, range).distance, 0.45 - 0.5);
-  EXPECT_DOUBLE_EQ(compare(0.75, range).distance, 0.75 - 0.7);
+  EXPECT_EQ(study::compare(0.6, range).verdict, study::Agreement::Verdict::agrees);
+  EXPECT_EQ(study::compare(0.5, range).verdict, study::Agreement::Verdict::agrees);
+  EXPECT_EQ(study::compare(0.4, range).verdict, study::Agreement::Verdict::misses);
+  EXPECT_DOUBLE_EQ(study::compare(0.45, range).distance, 0.45 - 0.5);
+  EXPECT_DOUBLE_EQ(study::compare(0.75, range).distance, 0.75 - 0.7);
 }
 
 TEST(Compare, AHalfOpenRangeBindsOnOneSide) {
   const Json at_least = Json::parse(R"({"lower": 0.97})");
-  EXPECT_EQ(compare(5.0, at_least).verdict, Agreement::Verdict::agrees);
-  EXPECT_EQ(compare(0.9, at_least).verdict, Agreement::Verdict::misses);
+  EXPECT_EQ(study::compare(5.0, at_least).verdict, study::Agreement::Verdict::agrees);
+  EXPECT_EQ(study::compare(0.9, at_least).verdict, study::Agreement::Verdict::misses);
 }
 
 TEST(Compare, ABareValueGivesNoVerdict) {
-  const Agreement agreement = compare(1.5, Json::parse(R"({"value": 1.845})"));
-  EXPECT_EQ(agreement.verdict, Agreement::Verdict::none);
+  const study::Agreement agreement = study::compare(1.5, Json::parse(R"({"value": 1.845})"));
+  EXPECT_EQ(agreement.verdict, study::Agreement::Verdict::none);
   EXPECT_EQ(agreement.published, 1.845);
 }
 
 TEST(Compare, ARangeWithoutAComputedValueIsAMiss) {
-  EXPECT_EQ(compare(std::nullopt, Json::parse(R"({"lower": 0.97})")).verdict,
-            Agreement::Verdict::misses);
-  EXPECT_EQ(compare(std::nullopt, nullptr).verdict, Agreement::Verdict::none);
+  EXPECT_EQ(study::compare(std::nullopt, Json::parse(R"({"lower": 0.97})")).verdict,
+            study::Agreement::Verdict::misses);
+  EXPECT_EQ(study::compare(std::nullopt, nullptr).verdict, study::Agreement::Verdict::none);
 }
 
 TEST(SweepTable, MarksAgreementMissesAndDeviations) {
-  SweepRowResult agrees = row("A", R"({"retention_efficiency": {"lower": 0.52, "upper": 0.68}})");
-  SweepRowResult misses = row("B", R"({"retention_efficiency": {"lower": 0.76}})");
-  SweepRowResult value = row("C", R"({"impact_x_m": {"value": 1.845}})");
+  records::SweepRowResult agrees =
+      row("A", R"({"retention_efficiency": {"lower": 0.52, "upper": 0.68}})");
+  records::SweepRowResult misses = row("B", R"({"retention_efficiency": {"lower": 0.76}})");
+  records::SweepRowResult value = row("C", R"({"impact_x_m": {"value": 1.845}})");
   value.metrics["impact_x_m"] = 1.52;
-  SweepRowResult none = row("D", R"({"launch_length_m": {"lower": 0.4, "upper": 0.5}})");
+  records::SweepRowResult none = row("D", R"({"launch_length_m": {"lower": 0.4, "upper": 0.5}})");
   const std::string text = sweep_table_text({agrees, misses, value, none}, 0.005);
   EXPECT_NE(line_of(text, "A ").find("0.593 (0.52..0.68 ok)"), std::string::npos) << text;
   EXPECT_NE(line_of(text, "B ").find("0.593 (>=0.76 -0.17)"), std::string::npos) << text;
@@ -97,7 +100,7 @@ TEST(SweepTable, ColumnsAreAligned) {
 }
 
 TEST(SweepTable, ShowsAbsentValuesAndFailures) {
-  SweepRowResult failed = row("H18-WD-H25");
+  records::SweepRowResult failed = row("H18-WD-H25");
   failed.status = solver::Status::failed;
   failed.reason = "a speed of 41 m/s";
   failed.metrics.clear();
@@ -109,7 +112,7 @@ TEST(SweepTable, ShowsAbsentValuesAndFailures) {
 }
 
 TEST(SweepTable, ListsPublishedFiguresWithoutAColumn) {
-  SweepRowResult result = row("H0-WD", R"({"flow_depth_max_time_s": {"value": 0.625}})");
+  records::SweepRowResult result = row("H0-WD", R"({"flow_depth_max_time_s": {"value": 0.625}})");
   result.metrics["flow_depth_max_time_s"] = 0.6;
   EXPECT_NE(
       sweep_table_text({result}, 0.005).find("H0-WD: flow_depth_max_time_s = 0.6 (0.625 -4 %)"),
@@ -119,7 +122,7 @@ TEST(SweepTable, ListsPublishedFiguresWithoutAColumn) {
 TEST(SweepJson, HoldsMetricsFlatWithTheSourceBesideThem) {
   const char* published =
       R"({"retention_efficiency": {"lower": 0.6, "source": "Fig. 17"}, "impact_x_m": {"value": 2}})";
-  const Json json = sweep_json("table3", "Huang et al. 2024", 0.005, {row("A", published)});
+  const Json json = study::sweep_json("table3", "Huang et al. 2024", 0.005, {row("A", published)});
   EXPECT_EQ(json["format"], "parapet-sweep-result/1");
   EXPECT_EQ(json["spacing_m"], 0.005);
   const Json& entry = json["rows"][0];
@@ -139,9 +142,9 @@ TEST(SweepJson, HoldsMetricsFlatWithTheSourceBesideThem) {
 }
 
 TEST(SweepJson, KeepsTheCataloguesOrder) {
-  SweepRowResult result = row("A");
+  records::SweepRowResult result = row("A");
   result.metrics["barrier_1_peak_force_n_per_m"] = 800.0;
-  const Json entry = sweep_json("s", "", 0.005, {result})["rows"][0];
+  const Json entry = study::sweep_json("s", "", 0.005, {result})["rows"][0];
   std::vector<std::string> keys;
   for (const auto& item : entry.items()) keys.push_back(item.key());
   const auto place = [&](const std::string& key) {
@@ -160,7 +163,7 @@ TEST(SweepRowResult, TakesOverAResult) {
   result.stop_time = 2.5;
   result.statistics.steps = 77;
   result.metrics = {{"retention_efficiency", 0.8, ""}, {"impact_x_m", std::nullopt, "no overflow"}};
-  const SweepRowResult out = make_sweep_row_result(spec, result);
+  const records::SweepRowResult out = records::make_sweep_row_result(spec, result);
   EXPECT_EQ(out.id, "H10-D45");
   EXPECT_EQ(out.stop_reason, "settled");
   EXPECT_EQ(out.steps, 77);

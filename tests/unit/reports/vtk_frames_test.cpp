@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "parapet/reports/atomic_file.hpp"
+#include "parapet/records/atomic_file.hpp"
 #include "scratch_folder.hpp"
 
 namespace parapet::reports {
@@ -179,7 +179,7 @@ TEST_F(FrameWriterTest, RefusesArraysOfUnequalLength) {
 
 TEST_F(FrameWriterTest, RefusesAFileInPlaceOfTheFolder) {
   write(folder_ / "taken", "text");
-  EXPECT_THROW(FrameWriter(folder_ / "taken", "dam"), FileError);
+  EXPECT_THROW(FrameWriter(folder_ / "taken", "dam"), records::FileError);
   EXPECT_THROW(FrameWriter(folder_, ""), std::invalid_argument);
 }
 

@@ -3,15 +3,15 @@
 #include <cmath>
 
 #include "formula_study.hpp"
-#include "parapet/reports/evaluation_log.hpp"
-#include "parapet/study/folder_lock.hpp"
+#include "parapet/records/evaluation_log.hpp"
+#include "parapet/records/folder_lock.hpp"
 #include "parapet/study/scoring.hpp"
 
 namespace parapet::test {
 namespace {
 
 using designs::Design;
-using reports::Pick;
+using study::Pick;
 
 const Design with_plate{{"height_m", 0.07}, {"deflector", 1.0}, {"angle_deg", 30.0}};
 const Design without{{"height_m", 0.07}, {"deflector", 0.0}};
@@ -33,8 +33,8 @@ class Confirm : public FolderTest {
     return study::confirm_picks(study, picks, options);
   }
 
-  std::vector<reports::EvaluationRecord> lines() const {
-    return reports::EvaluationLog(folder / "confirmations.jsonl").records();
+  std::vector<records::EvaluationRecord> lines() const {
+    return records::EvaluationLog(folder / "confirmations.jsonl").records();
   }
 
   FormulaSimulator simulator{[](const Design&) { return 0.9; }, scaled_height};
@@ -146,7 +146,7 @@ TEST_F(Confirm, ACancelledConfirmationGoesOn) {
 
 TEST_F(Confirm, AFolderInUseIsLeftAlone) {
   const designs::StudySpec study = study_of(formula_study());
-  const study::FolderLock lock(folder);
+  const records::FolderLock lock(folder);
   const auto outcome = confirm(study, {{"0004", without, 0.01, {}}});
   EXPECT_FALSE(outcome.refusal.empty());
   EXPECT_TRUE(simulator.asked().empty());

@@ -47,8 +47,8 @@ bool has_plate(const designs::Design& design) {
 FormulaSimulator::FormulaSimulator(Formula retention, Formula launch)
     : retention_(std::move(retention)), launch_(std::move(launch)) {}
 
-study::Simulation FormulaSimulator::operator()(const study::SimulationTask& task) const {
-  study::Simulation simulation;
+records::Simulation FormulaSimulator::operator()(const study::SimulationTask& task) const {
+  records::Simulation simulation;
   const std::scoped_lock lock(state_->mutex);
   if (state_->left == 0) {
     simulation.cancelled = true;

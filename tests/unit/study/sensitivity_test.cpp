@@ -4,7 +4,7 @@
 
 #include "formula_study.hpp"
 #include "parapet/optimizer/sobol.hpp"
-#include "parapet/reports/evaluation_log.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "parapet/study/bayesian_problem.hpp"
 #include "parapet/study/design_run.hpp"
 
@@ -17,14 +17,14 @@ using designs::Json;
 /// A log of `count` designs at Sobol' points, simulated by formulas.
 void write_log(const designs::StudySpec& study, const std::filesystem::path& folder,
                const FormulaSimulator& simulator, int count) {
-  reports::EvaluationLog log(folder / "evaluations.jsonl");
+  records::EvaluationLog log(folder / "evaluations.jsonl");
   const bayesian::Space space = study::make_space(study);
   optimizer::SobolSequence points(static_cast<int>(space.size()));
   for (int k = 1; k <= count; ++k) {
     const Design design = study::to_design(study, space, space.from_unit(points.next()));
-    auto run = study::run_design(study, design, study::finest_spacing(study), simulator, 1, {});
-    reports::EvaluationRecord record = run.value().record();
-    record.id = reports::evaluation_id(k);
+    auto run = study::run_design(study, design, designs::finest_spacing(study), simulator, 1, {});
+    records::EvaluationRecord record = run.value().record();
+    record.id = records::evaluation_id(k);
     record.stage = "sample";
     log.append(record);
   }

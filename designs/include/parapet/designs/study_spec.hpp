@@ -141,6 +141,26 @@ struct StudySpec {
   std::string source_file;
 };
 
+/// method.algorithm in upper case.
+std::string algorithm_name(const StudySpec& study);
+
+/// How a study searches.
+enum class SearchKind {
+  bayesian,
+  experiments,  ///< SOBOL, LATIN_HYPERCUBE, FULL_FACTORIAL, LIST
+  scalarized,   ///< NLopt, several problems with one objective each
+  weighted_sum  ///< NLopt
+};
+SearchKind search_kind(const StudySpec& study);
+
+/// Whether max_evaluations decides which designs are asked for, not only how many: a Latin
+/// hypercube of more designs is another one, and so are scalarised problems that share a larger
+/// budget.
+bool is_laid_out_for_budget(const StudySpec& study);
+
+/// The finest particle spacing of a study: the one that counts [m].
+double finest_spacing(const StudySpec& study);
+
 /// @throws InputError with every issue found.
 StudySpec parse_study(const Json& json, const std::string& file);
 StudySpec load_study(const std::filesystem::path& file);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "parapet/designs/study_spec.hpp"
-#include "parapet/reports/pick_rule.hpp"
+#include "parapet/study/pick_rule.hpp"
 
 namespace parapet::reports {
 
@@ -23,7 +23,13 @@ struct Recommendation {
 /// A last line that is not complete (the study was killed, or is still running) is passed over.
 /// @throws designs::InputError when a file is missing or damaged, nothing was evaluated yet, or the
 ///         rule does not fit the study's objectives.
-Recommendation recommend(const std::filesystem::path& study_dir, const PickRule& rule = {});
+Recommendation recommend(const std::filesystem::path& study_dir, const study::PickRule& rule = {});
+
+/// The designs that meet every constraint as observed, best first: on the Pareto set for several
+/// objectives. Those that the surrogate thinks more likely not to meet them come last.
+/// @throws designs::InputError for a damaged study or a rule that does not fit its objectives
+std::vector<study::Pick> ranked_picks(const std::filesystem::path& study_dir,
+                                      const study::PickRule& rule = {});
 
 /// Draws front.png (and front-1-3.png ... for more than two objectives) and hypervolume.png into
 /// the study's folder; nothing for one objective. Returns the names of the files.

@@ -37,7 +37,7 @@ struct SuiteOutcome {
 /// Runs the cases and writes each scorecard as soon as it is there. The callbacks may come from
 /// several threads, one at a time.
 /// @throws std::invalid_argument for a name that no case has, naming those there are.
-/// @throws reports::FileError when the folder cannot be written.
+/// @throws records::FileError when the folder cannot be written.
 SuiteOutcome run_suite(const SuiteOptions& options);
 
 /// The scorecards as a table for a terminal.

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "parapet/acquisition/hypervolume.hpp"
+#include "parapet/acquisition/boxes.hpp"
 
 namespace parapet::acquisition {
 
@@ -13,9 +13,6 @@ namespace parapet::acquisition {
 /// Accurate where h underflows (t down to -1e150), after Ament et al. (Unexpected improvements to
 /// expected improvement, NeurIPS 2023). sigma = 0 gives log(max(0, x)).
 double log_expected_excess(double x, double sigma);
-
-/// log Phi(t), accurate in the far tail.
-double log_normal_cdf(double t);
 
 /// log(exp(a) - exp(b)) for a >= b (-infinity also where rounding turned their order), log(exp(a) +
 /// exp(b)), and log of the mean of exp(v), -infinity for none.

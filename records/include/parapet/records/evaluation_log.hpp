@@ -1,0 +1,117 @@
+/// evaluations.jsonl: one line per evaluated design, on disk before anybody learns the value.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "parapet/designs/study_spec.hpp"
+#include "parapet/solver/result.hpp"
+
+namespace parapet::records {
+
+/// What one objective came to: its statistic over the scenarios.
+struct ObjectiveRecord {
+  std::string metric;  ///< the objective's name; by default its metric or expression
+  designs::Goal goal = designs::Goal::maximize;
+  double weight = 1.0;
+  std::optional<double> value;
+  bool absent = false;  ///< the metric had no value (in at least one scenario)
+};
+
+/// How one constraint stands. `margin` is the distance to the nearest limit, negative outside; in
+/// the unit of the value, empty where there is no value.
+struct ConstraintRecord {
+  std::string name;
+  std::optional<double> value;
+  std::optional<double> lower, upper;
+  bool satisfied = false;
+  std::optional<double> margin;
+};
+
+/// A design under one scenario.
+struct ScenarioRecord {
+  std::string name;
+  double weight = 1.0;
+  bool ok = false;
+  std::string reason;  ///< why it failed
+  std::vector<solver::Metric> metrics;
+  double wall_time = 0.0;       ///< [s]
+  double cpu_time = 0.0;        ///< [s]
+  double particle_steps = 0.0;  ///< particles released times time steps
+};
+
+/// One evaluated design, as it stands in the log. Numbers keep every bit through the file.
+struct EvaluationRecord {
+  std::string id;  ///< "0001", ...
+  /// "start", "initial", "search" and "confirm" (of a search), "sample" (of a design of
+  /// experiments), or "external" (parapet evaluate)
+  std::string stage;
+  designs::Design design;
+  std::map<std::string, std::string> options;  ///< choice -> option taken; empty without choices
+  bool ok = false;
+  std::string reason;                   ///< why it failed
+  std::vector<solver::Metric> metrics;  ///< with scenarios: weighted means
+  std::vector<ObjectiveRecord> objectives;
+  std::optional<double> objective_scalar;  ///< to be minimised; empty when failed
+  std::vector<ConstraintRecord> constraints;
+  bool feasible = false;
+  double spacing = 0.0;                   ///< particle spacing [m]
+  double wall_time = 0.0;                 ///< sum over the scenarios [s]
+  std::vector<ScenarioRecord> scenarios;  ///< empty: the base event alone
+  double cpu_time = 0.0;                  ///< sum over the scenarios [s]; 0: not known
+  double particle_steps = 0.0;            ///< sum over the scenarios; 0: not known
+};
+
+designs::Json to_json(const ScenarioRecord& scenario);
+designs::Json to_json(const EvaluationRecord& record);
+
+/// @throws std::runtime_error or nlohmann::json::exception saying what is wrong with the record.
+EvaluationRecord record_from_json(const designs::Json& json);
+ScenarioRecord scenario_from_json(const designs::Json& json);
+
+/// The log of a study, open for appending. One writer at a time (see FolderLock).
+class EvaluationLog {
+ public:
+  /// Opens or creates the log and reads what it holds. A last line that a crash left half-written
+  /// is moved to `<file>.damaged` and cut off; `repair_note` says so.
+  /// @throws designs::InputError naming the line when an earlier one is damaged.
+  /// @throws FileError
+  explicit EvaluationLog(std::filesystem::path file);
+  ~EvaluationLog();
+  EvaluationLog(const EvaluationLog&) = delete;
+  EvaluationLog& operator=(const EvaluationLog&) = delete;
+
+  /// Appends one line and syncs it to disk before it returns.
+  /// @throws FileError; the log is then cut back to what it was.
+  void append(const EvaluationRecord& record);
+
+  const std::vector<EvaluationRecord>& records() const { return records_; }
+
+  /// The record of exactly this design (the same bits) at this particle spacing [m], or nullptr.
+  const EvaluationRecord* find(const designs::Design& design, double spacing) const;
+
+  /// Whether a record has this id.
+  bool has_id(const std::string& id) const;
+
+  const std::string& repair_note() const { return repair_note_; }
+
+ private:
+  void read_and_repair();
+  void set_damage_aside(const std::string& content, std::size_t good_size);
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  std::vector<EvaluationRecord> records_;
+  std::map<std::pair<designs::Design, double>, std::size_t> by_design_;
+  std::map<std::string, std::size_t> by_id_;
+  std::string repair_note_;
+};
+
+/// "0001" for 1.
+std::string evaluation_id(int number);
+
+}  // namespace parapet::records

@@ -1,0 +1,33 @@
+/// Where a number comes from: program, input and numerics.
+#pragma once
+
+#include <string>
+
+#include "parapet/designs/study_spec.hpp"
+
+namespace parapet::records {
+
+/// The program that computes; known when it was configured.
+struct ProgramInfo {
+  std::string version;
+  std::string git_revision;  ///< empty when not built from a git checkout
+};
+
+/// Name and version of the compiler this library was built with.
+std::string compiler_name();
+
+/// {program_version, compiler, git_revision?, spec_hash}: what holds for a whole study or sweep.
+designs::Json provenance_json(const ProgramInfo& program, const std::string& spec_hash);
+
+/// The same with spacing_m and integrator of one simulation. The number of threads is left out on
+/// purpose: no result depends on it.
+designs::Json provenance_json(const ProgramInfo& program, const std::string& spec_hash,
+                              const solver::Numerics& numerics);
+
+/// Provenance of what a study writes: the first form with the study's hash, and its seed.
+designs::Json study_provenance(const designs::StudySpec& study, const ProgramInfo& program);
+
+/// Name of an integrator as it stands in a case file.
+std::string integrator_name(solver::Integrator integrator);
+
+}  // namespace parapet::records

@@ -1,0 +1,95 @@
+/// A study on disk: study.json, evaluations.jsonl, evaluations/ID.json, summary.json, pareto.json
+/// and surrogates.json.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parapet/designs/study_spec.hpp"
+#include "parapet/records/evaluation_log.hpp"
+#include "parapet/records/folder_lock.hpp"
+#include "parapet/records/provenance.hpp"
+#include "parapet/records/simulation.hpp"
+
+namespace parapet::records {
+
+/// A design that was stopped before all of its events were simulated.
+struct UnfinishedDesign {
+  std::string id;
+  designs::Design design;
+  double spacing = 0.0;                           ///< [m]
+  std::map<std::string, Simulation> simulations;  ///< by scenario: those that ended
+};
+
+/// What a search was begun with. It decides the questions of a repeatable search, so it stays when
+/// the study is continued with other values.
+struct BegunWith {
+  int jobs = 1;
+  int max_evaluations = 0;
+};
+
+/// The folder of one study, locked for writing while this lives.
+class StudyFolder {
+ public:
+  /// Creates the folder, or opens it when it belongs to the same study (see study_hash).
+  /// @param patience how long to wait for another writer
+  /// @throws designs::InputError when it belongs to another study, is being written to, or its log
+  ///         is damaged before its last line. Nothing is changed then.
+  /// @throws FileError
+  StudyFolder(std::filesystem::path folder, const designs::StudySpec& study,
+              const ProgramInfo& program, std::chrono::milliseconds patience = {});
+
+  const EvaluationLog& log() const { return log_; }
+
+  /// Notes in study.json what the search is begun with, unless it was begun before.
+  /// @throws FileError
+  void begin(const BegunWith& with);
+  const BegunWith& begun_with() const { return begun_with_; }
+
+  /// Writes evaluations/ID.json, then the log's line; both are on disk when it returns.
+  /// @throws FileError
+  void store(const EvaluationRecord& record, const designs::Json& report);
+
+  /// Writes evaluations/ID-SCENARIO.json, so that a stop does not lose it. May be called from
+  /// several threads at once.
+  /// @param spacing particle spacing [m]
+  /// @param event number of the scenario in the spec
+  /// @throws FileError
+  void store_simulation(const std::string& id, const designs::Design& design, double spacing,
+                        const designs::Scenario& scenario, std::size_t event,
+                        const Simulation& simulation, const designs::Json& provenance) const;
+
+  /// Designs that an earlier run left behind incomplete, by id. Not changed by store().
+  const std::vector<UnfinishedDesign>& unfinished() const { return unfinished_; }
+
+  /// The simulation of one event of a design that an earlier run left incomplete; null when there
+  /// is none.
+  const Simulation* unfinished(const designs::Design& design, double spacing,
+                               const std::string& scenario) const;
+
+  /// Whether a design may take this id: no record has it, and no other incomplete design.
+  bool id_is_free(const std::string& id, const designs::Design& design, double spacing) const;
+
+  /// Replaces a JSON file of the folder, for example summary.json.
+  /// @throws FileError
+  void write(const std::string& file_name, const designs::Json& content) const;
+
+  const std::filesystem::path& path() const { return folder_; }
+
+  /// Sentences worth telling the user: a repaired log, another program version.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  std::filesystem::path folder_;
+  BegunWith begun_with_;
+  std::vector<std::string> notes_;
+  FolderLock lock_;
+  EvaluationLog log_;
+  std::vector<UnfinishedDesign> unfinished_;
+};
+
+}  // namespace parapet::records

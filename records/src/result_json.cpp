@@ -1,0 +1,170 @@
+#include "parapet/records/result_json.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace parapet::records {
+namespace {
+
+using designs::Json;
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json mass_json(const solver::MassBalance& mass) {
+  Json json;
+  json["released_kg_per_m"] = mass.released;
+  json["in_domain_kg_per_m"] = mass.in_domain;
+  json["left_domain_kg_per_m"] = mass.left_domain;
+  json["particles_released"] = mass.particles_released;
+  json["particles_left"] = mass.particles_left;
+  return json;
+}
+
+Json statistics_json(const solver::RunStatistics& statistics) {
+  Json json;
+  json["steps"] = statistics.steps;
+  json["neighbor_builds"] = statistics.neighbor_builds;
+  json["cg_iterations"] = statistics.cg_iterations;
+  json["wall_contacts"] = statistics.wall_contacts;
+  json["max_particles_inside_walls"] = statistics.max_particles_inside_walls;
+  json["mean_time_step_s"] = number_or_null(statistics.mean_time_step);
+  json["max_speed_m_s"] = number_or_null(statistics.max_speed);
+  json["max_density_error"] = number_or_null(statistics.max_density_error);
+  return json;
+}
+
+Json profile_json(const solver::Profile& profile) {
+  Json stages = Json::array();
+  const double whole = profile.seconds();
+  for (const solver::StageTime& stage : profile.stages) {
+    Json entry;
+    entry["stage"] = stage.name;
+    entry["seconds"] = stage.seconds;
+    entry["share"] = whole > 0.0 ? stage.seconds / whole : 0.0;
+    entry["calls"] = stage.calls;
+    if (stage.pairs > 0) entry["directed_pairs"] = stage.pairs;
+    stages.push_back(std::move(entry));
+  }
+  Json json;
+  json["seconds"] = whole;
+  json["stages"] = std::move(stages);
+  json["steps_limited_by"] = {{"acoustic", profile.steps_acoustic},
+                              {"acceleration", profile.steps_acceleration},
+                              {"viscous", profile.steps_viscous}};
+  json["step_shortening"] = profile.step_shortening;
+  json["fluid_neighbors_mean"] = profile.fluid_neighbors;
+  json["wall_neighbors_mean"] = profile.wall_neighbors;
+  json["slots_per_pair"] = profile.slots_per_pair;
+  return json;
+}
+
+Json timing_json(const solver::Result& result, int threads) {
+  Json json = {{"wall_time_s", result.statistics.wall_time}, {"threads", threads}};
+  if (result.profile) json["profile"] = profile_json(*result.profile);
+  return json;
+}
+
+}  // namespace
+
+Json metrics_json(const solver::Result& result) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : result.metrics) {
+    json[metric.key] = metric.value ? number_or_null(*metric.value) : Json(nullptr);
+  }
+  return json;
+}
+
+Json metrics_absent_json(const solver::Result& result) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : result.metrics) {
+    if (!metric.value) json[metric.key] = metric.absent_reason;
+  }
+  return json;
+}
+
+Json uncertainty_json(const solver::Result& result) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : result.metrics) {
+    if (!metric.uncertainty) continue;
+    const solver::MetricUncertainty& u = *metric.uncertainty;
+    Json entry;
+    entry["expanded_95"] = number_or_null(u.expanded);
+    entry["discretisation"] = number_or_null(u.discretisation);
+    entry["scatter_standard_deviation"] = number_or_null(u.scatter);
+    entry["extrapolated"] = number_or_null(u.extrapolated);
+    entry["order"] = number_or_null(u.order);
+    entry["order_observed"] = u.order_observed;
+    entry["runs"] = u.runs;
+    entry["level_spacing_m"] = u.level_spacing;
+    entry["level_mean"] = u.level_mean;
+    json[metric.key] = std::move(entry);
+  }
+  return json;
+}
+
+Json series_json(const solver::Series& series) {
+  Json rows = Json::array();
+  for (const auto& row : series.rows) {
+    Json values = Json::array();
+    for (const double value : row) values.push_back(number_or_null(value));
+    rows.push_back(std::move(values));
+  }
+  Json json;
+  json["columns"] = series.columns;
+  json["rows"] = std::move(rows);
+  return json;
+}
+
+std::string series_csv(const solver::Series& series) {
+  std::string text;
+  for (std::size_t c = 0; c < series.columns.size(); ++c) {
+    if (c > 0) text += ',';
+    text += series.columns[c];
+  }
+  text += '\n';
+  for (const auto& row : series.rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (c > 0) text += ',';
+      if (std::isfinite(row[c])) text += shortest_number(row[c]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+Json result_json(const std::string& name, const solver::Result& result, const Json& resolved,
+                 const Json& provenance, int threads) {
+  Json json;
+  json["format"] = "parapet-result/1";
+  json["name"] = name;
+  json["status"] = solver::to_string(result.status);
+  json["reason"] = result.reason;
+  json["stop_reason"] = solver::to_string(result.stop_reason);
+  json["stop_time_s"] = number_or_null(result.stop_time);
+  json["metrics"] = metrics_json(result);
+  json["metrics_absent"] = metrics_absent_json(result);
+  if (Json uncertainty = uncertainty_json(result); !uncertainty.empty()) {
+    json["uncertainty"] = std::move(uncertainty);
+  }
+  json["mass"] = mass_json(result.mass);
+  json["statistics"] = statistics_json(result.statistics);
+  json["provenance"] = provenance;
+  json["timing"] = timing_json(result, threads);
+  json["case"] = resolved;
+  return json;
+}
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string shortest_number(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return std::string(digits.data(), end);
+}
+
+}  // namespace parapet::records

@@ -1,0 +1,58 @@
+/// A study as the Bayesian search sees it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "parapet/bayesian/problem.hpp"
+#include "parapet/bayesian/search.hpp"
+#include "parapet/designs/study_spec.hpp"
+#include "parapet/records/evaluation_log.hpp"
+#include "parapet/study/quantity.hpp"
+
+namespace parapet::study {
+
+/// One of the search's metrics and what it is in the study.
+struct SearchMetric {
+  Quantity quantity;       ///< of a metric
+  std::string expression;  ///< of a formula of the design; `quantity` means nothing then
+};
+
+/// The search's problem with what is needed to answer it.
+struct SearchProblem {
+  bayesian::Problem problem;
+  std::vector<SearchMetric> metrics;  ///< [n_metrics], in the problem's order
+  std::vector<double> spacings;       ///< [n_levels] particle spacing, finest first [m]
+};
+
+/// The space of a study's variables, in their order.
+bayesian::Space make_space(const designs::StudySpec& study);
+
+/// Space, metrics, limits, levels and cheap constraints. Quantities that two goals share are one
+/// metric; a constraint that each limit sees from its own end (worst, quantile) gives two. The
+/// formulas of the design among the constraints are cheap constraints; those among the objectives
+/// are exact metrics, and a design at which one is not finite is refused. `study` must outlive the
+/// problem.
+///
+/// Levels: cost from the spec, else expected_seconds; times the number of events. Known noise: of
+/// a mean over events with weights w the spec's times sqrt(sum w^2), of a worst value or a quantile
+/// the spec's; of a probability it is left to be estimated.
+SearchProblem make_search_problem(const designs::StudySpec& study);
+
+/// The spec's method in the search's terms: start_count is the number of initial designs.
+bayesian::SearchOptions make_search_options(const designs::StudySpec& study);
+
+/// Point of a design, inactive variables NaN, and back.
+bayesian::Point to_point(const designs::StudySpec& study, const designs::Design& design);
+designs::Design to_design(const designs::StudySpec& study, const bayesian::Space& space,
+                          const bayesian::Point& point);
+
+/// What the search is told of a record. `seconds` is the spec's cost of the level, else the nominal
+/// one of the particle steps: measured times would make the search depend on the clock.
+bayesian::Observation observation(const designs::StudySpec& study, const SearchProblem& problem,
+                                  const records::EvaluationRecord& record);
+
+/// The level of a particle spacing; empty when the study has none of it.
+std::optional<int> level_of(const SearchProblem& problem, double spacing);
+
+}  // namespace parapet::study

@@ -1,0 +1,50 @@
+/// The best trade-offs between a study's objectives, from its log.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "parapet/bayesian/search.hpp"
+#include "parapet/designs/study_spec.hpp"
+#include "parapet/records/evaluation_log.hpp"
+#include "parapet/study/bayesian_problem.hpp"
+
+namespace parapet::study {
+
+/// How much of the objectives' space was dominated after an evaluation.
+struct FrontEntry {
+  int evaluations = 0;
+  double cpu_time = 0.0;  ///< of these evaluations [s]
+  double hypervolume = 0.0;
+};
+
+/// The Pareto set of what was evaluated: designs at the finest spacing that meet every constraint
+/// and that no other such design betters in every objective. With one objective it is the best.
+struct Front {
+  std::vector<records::EvaluationRecord> designs;  ///< by id
+  std::vector<double> reference;  ///< [n_objectives] in the objectives' units; empty: no design yet
+  double hypervolume = 0.0;       ///< below the reference point, product of the objectives' units
+  std::vector<FrontEntry> history;  ///< one entry for each record, in the log's order
+};
+
+/// The reference point is the spec's, for each objective that has one; else `reference`
+/// [n_objectives] where it is not empty (a search's); else the worst value among the feasible
+/// designs and a tenth of their range beyond it.
+Front make_front(const designs::StudySpec& study,
+                 const std::vector<records::EvaluationRecord>& records,
+                 const std::vector<double>& reference = {}, bool with_history = true);
+
+/// The content of pareto.json, format "parapet-pareto/1". `search` and `problem` are null for
+/// methods without surrogates: estimates are null then.
+designs::Json pareto_json(const designs::StudySpec& study, const Front& front,
+                          const SearchProblem* problem, const bayesian::Search* search);
+
+/// The content of surrogates.json, format "parapet-surrogates/1": enough to predict again without
+/// the solver or the search. Numbers keep every bit.
+designs::Json surrogates_json(const designs::StudySpec& study, const SearchProblem& problem,
+                              const bayesian::Search& search);
+
+/// One sentence for each metric whose surrogate explains little of what was left out of it.
+std::vector<std::string> surrogate_warnings(const bayesian::Search& search);
+
+}  // namespace parapet::study

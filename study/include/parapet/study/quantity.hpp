@@ -1,0 +1,80 @@
+/// One number of a design: a statistic of a metric over the events that the design is judged under.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "parapet/designs/study_spec.hpp"
+#include "parapet/records/evaluation_log.hpp"
+#include "parapet/solver/result.hpp"
+
+namespace parapet::study {
+
+/// What one event's simulation gave. All weights together are 1.
+struct Event {
+  std::string name;  ///< of the scenario; empty for the base event
+  double weight = 1.0;
+  std::vector<solver::Metric> metrics;
+};
+
+/// A statistic of a metric. Equal members mean the same number for every design.
+///
+/// An event in which the metric has no value counts with `value_when_absent` where that is given.
+/// Otherwise it stands at the good end of all values or at the bad one (`absent_is_good`):
+///   mean: it is left out, the other weights are rescaled; at the bad end there is no mean
+///   worst: it is passed over; at the bad end there is no worst value
+///   quantile: it takes its place in the order; the quantile has no value where it falls on it
+///   probability: it counts as within the limits, or as outside
+struct Quantity {
+  std::string metric;
+  designs::Statistic statistic = designs::Statistic::mean;
+  double quantile = 1.0;        ///< of the statistic quantile, else 1
+  bool high_is_good = false;    ///< which end is good: for worst and quantile, else false
+  std::optional<double> lower;  ///< of the statistic probability
+  std::optional<double> upper;
+  std::optional<double> value_when_absent;
+  bool absent_is_good = false;
+
+  bool operator==(const Quantity&) const = default;
+};
+
+/// Its value for one design.
+struct QuantityValue {
+  std::optional<double> value;  ///< empty: see Quantity::absent_is_good for what that means
+  bool absent = false;          ///< the metric has no value in at least one event
+  std::string reason;           ///< why, of the first such event
+};
+
+QuantityValue quantity_value(const Quantity& quantity, const std::vector<Event>& events);
+
+/// What an objective on a metric is about. With one event every statistic but the probability is
+/// the metric itself, and is then called the mean.
+Quantity objective_quantity(const designs::StudySpec& study, const designs::Objective& objective);
+
+/// A limit of a constraint on a metric, and the quantity that it limits.
+struct QuantityLimit {
+  Quantity quantity;
+  std::optional<double> lower, upper;
+  double scale = 1.0;  ///< a violation is divided by it
+};
+
+/// What a constraint on a metric limits, lower limits first. One entry where the statistic does not
+/// depend on which end is good; with the statistics worst and quantile one for each limit. The
+/// statistic probability becomes a lower limit `quantile` on the probability, scale 1.
+std::vector<QuantityLimit> constraint_quantities(const designs::StudySpec& study,
+                                                 const designs::Constraint& constraint);
+
+/// "launch_length_m", "launch_length_m (highest value)",
+/// "P(0.95 <= retention_efficiency)" and so on.
+std::string quantity_name(const Quantity& quantity);
+
+/// The events of a logged design: its scenarios, or the base event alone.
+std::vector<Event> events_of(const records::EvaluationRecord& record);
+
+/// Weighted means over the events that have a value; a metric without any keeps its reason. The
+/// metrics of a single event are returned as they are.
+std::vector<solver::Metric> mean_metrics(const std::vector<Event>& events);
+
+}  // namespace parapet::study

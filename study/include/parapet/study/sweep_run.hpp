@@ -1,0 +1,36 @@
+/// A whole sweep: its rows side by side, each kept as soon as it is finished.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "parapet/designs/study_spec.hpp"
+#include "parapet/records/provenance.hpp"
+#include "parapet/records/sweep_row.hpp"
+#include "parapet/study/hooks.hpp"
+
+namespace parapet::study {
+
+struct SweepRunOptions {
+  std::filesystem::path folder;
+  int jobs = 1;
+  std::vector<std::string> only;  ///< ids of the rows to run; empty for all
+  records::ProgramInfo program;
+  Hooks hooks;  ///< on_evaluated is not called
+  /// A row is finished and on disk; `kept`: it was before, and was not run again.
+  std::function<void(const records::SweepRowResult& row, bool kept)> on_row;
+};
+
+struct SweepOutcome {
+  std::vector<records::SweepRowResult> rows;  ///< of those asked for, the finished ones, in order
+  bool interrupted = false;
+};
+
+/// Runs the rows, longest first, and writes rows/ID.json, rows/ID.csv (the series) and, with all
+/// rows finished so far, NAME.json. Rows that this version of the program finished before are kept.
+/// @throws designs::InputError for an unknown id, a folder that is being written to or that holds
+///         rows of another spec (nothing is changed then); records::FileError.
+SweepOutcome run_sweep(const designs::SweepSpec& sweep, const SweepRunOptions& options);
+
+}  // namespace parapet::study

@@ -1,0 +1,235 @@
+#include "parapet/study/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace parapet::study {
+namespace {
+
+using designs::Statistic;
+
+/// A metric's value under one event; `value` empty: at the end that absent_is_good says.
+struct Weighted {
+  std::optional<double> value;
+  double weight = 1.0;
+};
+
+const solver::Metric* find_metric(const Event& event, const std::string& key) {
+  const auto found = std::find_if(event.metrics.begin(), event.metrics.end(),
+                                  [&](const solver::Metric& metric) { return metric.key == key; });
+  return found == event.metrics.end() ? nullptr : &*found;
+}
+
+/// The values by event; says in `result` whether and why one is absent.
+std::vector<Weighted> weighted_values(const Quantity& quantity, const std::vector<Event>& events,
+                                      QuantityValue& result) {
+  std::vector<Weighted> values;
+  for (const Event& event : events) {
+    const solver::Metric* metric = find_metric(event, quantity.metric);
+    Weighted one{.value = std::nullopt, .weight = event.weight};
+    if (metric != nullptr && metric->value && std::isfinite(*metric->value)) {
+      one.value = metric->value;
+    } else {
+      if (!result.absent) {
+        result.reason = metric == nullptr || metric->absent_reason.empty()
+                            ? std::string("the simulation does not give it")
+                            : metric->absent_reason;
+        if (!event.name.empty()) result.reason += " (" + event.name + ")";
+      }
+      result.absent = true;
+      one.value = quantity.value_when_absent;
+    }
+    values.push_back(one);
+  }
+  return values;
+}
+
+std::optional<double> mean(const Quantity& quantity, const std::vector<Weighted>& values) {
+  // One event's value keeps its bits.
+  if (values.size() == 1) return values.front().value;
+  double sum = 0.0, weight = 0.0, all = 0.0;
+  bool complete = true;
+  for (const Weighted& one : values) {
+    all += one.weight;
+    complete = complete && one.value;
+    if (!one.value) continue;
+    sum += one.weight * *one.value;
+    weight += one.weight;
+  }
+  if (!(weight > 0.0) || (!complete && !quantity.absent_is_good)) return std::nullopt;
+  return complete && all == 1.0 ? sum : sum / weight;
+}
+
+std::optional<double> worst(const Quantity& quantity, const std::vector<Weighted>& values) {
+  std::optional<double> result;
+  for (const Weighted& one : values) {
+    if (!one.value) {
+      if (!quantity.absent_is_good) return std::nullopt;
+      continue;
+    }
+    if (!result || (quantity.high_is_good ? *one.value < *result : *one.value > *result)) {
+      result = one.value;
+    }
+  }
+  return result;
+}
+
+/// The first value, from the good end, up to which the weights add up to the quantile.
+std::optional<double> quantile(const Quantity& quantity, std::vector<Weighted> values) {
+  // Weights such as 1/8 eight times add up to the quantile 0.75 exactly or nearly so.
+  constexpr double rounding = 1e-12;
+  std::stable_sort(values.begin(), values.end(), [&](const Weighted& a, const Weighted& b) {
+    if (!a.value || !b.value) {
+      return quantity.absent_is_good ? !a.value && b.value : a.value && !b.value;
+    }
+    return quantity.high_is_good ? *a.value > *b.value : *a.value < *b.value;
+  });
+  double sum = 0.0;
+  for (const Weighted& one : values) {
+    sum += one.weight;
+    if (sum >= quantity.quantile - rounding) return one.value;
+  }
+  return values.empty() ? std::nullopt : values.back().value;
+}
+
+double probability(const Quantity& quantity, const std::vector<Weighted>& values) {
+  double within = 0.0, all = 0.0;
+  for (const Weighted& one : values) {
+    all += one.weight;
+    const bool good = one.value ? (!quantity.lower || *one.value >= *quantity.lower) &&
+                                      (!quantity.upper || *one.value <= *quantity.upper)
+                                : quantity.absent_is_good;
+    if (good) within += one.weight;
+  }
+  return all > 0.0 ? within / all : 0.0;
+}
+
+/// Leaves only the members that make a difference.
+Quantity canonical(const designs::StudySpec& study, Quantity quantity) {
+  const bool one_event = study.scenarios.size() <= 1;
+  if (one_event && quantity.statistic != Statistic::probability) {
+    quantity.statistic = Statistic::mean;
+  }
+  if (quantity.statistic != Statistic::quantile) quantity.quantile = 1.0;
+  if (quantity.statistic != Statistic::probability) {
+    quantity.lower.reset();
+    quantity.upper.reset();
+  }
+  if (quantity.statistic == Statistic::mean || quantity.statistic == Statistic::probability) {
+    quantity.high_is_good = false;
+  }
+  if (quantity.value_when_absent) quantity.absent_is_good = false;
+  return quantity;
+}
+
+}  // namespace
+
+QuantityValue quantity_value(const Quantity& quantity, const std::vector<Event>& events) {
+  QuantityValue result;
+  const std::vector<Weighted> values = weighted_values(quantity, events, result);
+  switch (quantity.statistic) {
+    case Statistic::mean:
+      result.value = mean(quantity, values);
+      break;
+    case Statistic::worst:
+      result.value = worst(quantity, values);
+      break;
+    case Statistic::quantile:
+      result.value = quantile(quantity, values);
+      break;
+    case Statistic::probability:
+      result.value = probability(quantity, values);
+      break;
+  }
+  return result;
+}
+
+Quantity objective_quantity(const designs::StudySpec& study, const designs::Objective& objective) {
+  return canonical(study, {.metric = objective.metric,
+                           .statistic = objective.statistic,
+                           .quantile = objective.quantile,
+                           .high_is_good = objective.goal == designs::Goal::maximize,
+                           .lower = objective.lower,
+                           .upper = objective.upper,
+                           .value_when_absent = objective.value_when_absent,
+                           .absent_is_good = false});
+}
+
+std::vector<QuantityLimit> constraint_quantities(const designs::StudySpec& study,
+                                                 const designs::Constraint& constraint) {
+  Quantity quantity{.metric = constraint.metric,
+                    .statistic = constraint.statistic,
+                    .quantile = constraint.quantile,
+                    .high_is_good = constraint.lower.has_value(),
+                    .lower = constraint.lower,
+                    .upper = constraint.upper,
+                    .value_when_absent = constraint.value_when_absent,
+                    .absent_is_good = constraint.satisfied_when_absent};
+  if (constraint.statistic == Statistic::probability) {
+    return {{.quantity = canonical(study, quantity),
+             .lower = constraint.quantile,
+             .upper = std::nullopt,
+             .scale = 1.0}};
+  }
+  const Quantity first = canonical(study, quantity);
+  quantity.high_is_good = false;
+  const Quantity second = canonical(study, quantity);
+  if (!constraint.lower || !constraint.upper || first == second) {
+    return {{first, constraint.lower, constraint.upper, constraint.scale}};
+  }
+  return {{first, constraint.lower, std::nullopt, constraint.scale},
+          {second, std::nullopt, constraint.upper, constraint.scale}};
+}
+
+std::string quantity_name(const Quantity& quantity) {
+  switch (quantity.statistic) {
+    case Statistic::mean:
+      return quantity.metric;
+    case Statistic::worst:
+      return fmt::format("{} ({} value)", quantity.metric,
+                         quantity.high_is_good ? "lowest" : "highest");
+    case Statistic::quantile:
+      return fmt::format("{} ({:g} % of the events {} or better)", quantity.metric,
+                         100.0 * quantity.quantile, quantity.high_is_good ? "so high" : "so low");
+    case Statistic::probability:
+      break;
+  }
+  const std::string lower = quantity.lower ? fmt::format("{:g} <= ", *quantity.lower) : "";
+  const std::string upper = quantity.upper ? fmt::format(" <= {:g}", *quantity.upper) : "";
+  return "P(" + lower + quantity.metric + upper + ")";
+}
+
+std::vector<Event> events_of(const records::EvaluationRecord& record) {
+  if (record.scenarios.empty()) return {{"", 1.0, record.metrics}};
+  std::vector<Event> events;
+  for (const records::ScenarioRecord& scenario : record.scenarios) {
+    events.push_back({scenario.name, scenario.weight, scenario.metrics});
+  }
+  return events;
+}
+
+std::vector<solver::Metric> mean_metrics(const std::vector<Event>& events) {
+  if (events.empty()) return {};
+  if (events.size() == 1) return events.front().metrics;
+  std::vector<solver::Metric> means;
+  for (const Event& event : events) {
+    for (const solver::Metric& metric : event.metrics) {
+      const bool known = std::any_of(means.begin(), means.end(), [&](const solver::Metric& mean) {
+        return mean.key == metric.key;
+      });
+      if (known) continue;
+      const QuantityValue value = quantity_value({.metric = metric.key,
+                                                  .lower = {},
+                                                  .upper = {},
+                                                  .value_when_absent = {},
+                                                  .absent_is_good = true},
+                                                 events);
+      means.push_back({metric.key, value.value, value.value ? "" : value.reason});
+    }
+  }
+  return means;
+}
+
+}  // namespace parapet::study

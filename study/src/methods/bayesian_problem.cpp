@@ -1,0 +1,291 @@
+#include "parapet/study/bayesian_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "parapet/study/problem.hpp"
+#include "parapet/study/scoring.hpp"
+#include "parapet/study/simulator.hpp"
+
+namespace parapet::study {
+namespace {
+
+using designs::Statistic;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::size_t event_count(const designs::StudySpec& study) {
+  return std::max<std::size_t>(1, study.scenarios.size());
+}
+
+/// What a metric is multiplied by on its way over the events; see make_search_problem.
+double noise_factor(const designs::StudySpec& study, const Quantity& quantity) {
+  if (quantity.statistic != Statistic::mean || study.scenarios.empty()) return 1.0;
+  double squares = 0.0;
+  for (const designs::Scenario& scenario : study.scenarios) {
+    squares += scenario.weight * scenario.weight;
+  }
+  return std::sqrt(squares);
+}
+
+std::vector<double> known_noise(const designs::StudySpec& study, const Quantity& quantity) {
+  std::vector<double> noise;
+  if (quantity.statistic == Statistic::probability) return noise;
+  for (const designs::FidelityLevel& level : study.fidelity) {
+    const auto found = level.noise.find(quantity.metric);
+    if (found == level.noise.end()) return {};
+    noise.push_back(found->second * noise_factor(study, quantity));
+  }
+  return noise;
+}
+
+bool has_ending(const std::string& key, const char* ending) {
+  return key.ends_with(ending);
+}
+
+/// The values that a metric can have at all. Only what follows from its definition: forces,
+/// moments, volumes and discharges are largest values over a run that begins with none, speeds and
+/// energies are magnitudes, times begin at 0.
+void set_bounds(const Quantity& quantity, bayesian::Metric& metric) {
+  if (quantity.statistic == Statistic::probability) {
+    metric.least = 0.0;
+    metric.greatest = 1.0;
+    return;
+  }
+  const std::string& key = quantity.metric;
+  if (key.find("retention_efficiency") != std::string::npos) {
+    metric.least = 0.0;
+    metric.greatest = 1.0;
+  }
+  for (const char* ending : {"_force_n_per_m", "_moment_nm_per_m", "_m3_per_m", "_discharge_m2_s",
+                             "_time_s", "_j_per_m", "_speed_m_s", "dead_zone_length_m",
+                             "dead_zone_ratio", "flow_depth_max_m", "run_up_height_m"}) {
+    if (has_ending(key, ending)) metric.least = 0.0;
+  }
+  if (quantity.value_when_absent) {
+    metric.least = std::min(metric.least, *quantity.value_when_absent);
+    metric.greatest = std::max(metric.greatest, *quantity.value_when_absent);
+  }
+}
+
+/// Collects metrics, each once.
+class MetricList {
+ public:
+  MetricList(const designs::StudySpec& study, SearchProblem& result)
+      : study_(study), result_(result), catalog_(solver::metric_catalog(barrier_count(study))) {}
+
+  std::size_t of(Quantity quantity) {
+    // Where there is always a value, two goals differ in nothing by what they say of its absence.
+    if (!may_be_absent(quantity.metric)) {
+      quantity.absent_is_good = false;
+      quantity.value_when_absent.reset();
+    }
+    auto& metrics = result_.metrics;
+    for (std::size_t k = 0; k < metrics.size(); ++k) {
+      if (metrics[k].expression.empty() && metrics[k].quantity == quantity) return k;
+    }
+    bayesian::Metric metric;
+    metric.name = quantity_name(quantity);
+    metric.known_noise = known_noise(study_, quantity);
+    set_bounds(quantity, metric);
+    metrics.emplace_back().quantity = quantity;
+    result_.problem.metrics.push_back(std::move(metric));
+    return metrics.size() - 1;
+  }
+
+  std::size_t of_expression(const designs::Objective& objective) {
+    bayesian::Metric metric;
+    metric.name = objective_name(objective);
+    metric.exact = [&study = study_, space = result_.problem.space,
+                    expression = objective.expression](const bayesian::Point& x) {
+      return formula_value(study, expression, to_design(study, space, x))
+          .value_or(std::numeric_limits<double>::quiet_NaN());
+    };
+    SearchMetric& added = result_.metrics.emplace_back();
+    added.expression = objective.expression;
+    result_.problem.metrics.push_back(std::move(metric));
+    return result_.metrics.size() - 1;
+  }
+
+ private:
+  static int barrier_count(const designs::StudySpec& study) {
+    const auto found = study.base_case.find("barriers");
+    return found == study.base_case.end() ? 0 : static_cast<int>(found->size());
+  }
+
+  bool may_be_absent(const std::string& key) const {
+    const auto found = std::find_if(catalog_.begin(), catalog_.end(),
+                                    [&](const auto& info) { return info.key == key; });
+    return found == catalog_.end() || found->may_be_absent;
+  }
+
+  const designs::StudySpec& study_;
+  SearchProblem& result_;
+  std::vector<solver::MetricInfo> catalog_;
+};
+
+void add_objectives(const designs::StudySpec& study, MetricList& list, SearchProblem& result) {
+  for (const designs::Objective& objective : study.objectives) {
+    const std::size_t metric = objective.metric.empty()
+                                   ? list.of_expression(objective)
+                                   : list.of(objective_quantity(study, objective));
+    result.problem.objectives.push_back({.metric = metric,
+                                         .maximize = objective.goal == designs::Goal::maximize,
+                                         .reference = objective.reference});
+  }
+}
+
+void add_limits(const designs::StudySpec& study, MetricList& list, SearchProblem& result) {
+  for (const designs::Constraint& constraint : study.constraints) {
+    if (constraint.metric.empty()) continue;
+    for (const QuantityLimit& limit : constraint_quantities(study, constraint)) {
+      result.problem.limits.push_back({.metric = list.of(limit.quantity),
+                                       .lower = limit.lower.value_or(-infinity),
+                                       .upper = limit.upper.value_or(infinity),
+                                       .satisfied_when_absent = constraint.satisfied_when_absent});
+    }
+  }
+}
+
+void add_levels(const designs::StudySpec& study, SearchProblem& result) {
+  result.problem.levels.clear();
+  const auto events = static_cast<double>(event_count(study));
+  const auto add = [&](double spacing, const std::optional<double>& seconds) {
+    result.spacings.push_back(spacing);
+    result.problem.levels.push_back(
+        {.seconds = events * seconds.value_or(expected_seconds(study, spacing))});
+  };
+  for (const designs::FidelityLevel& level : study.fidelity) add(level.spacing, level.seconds);
+  if (study.fidelity.empty()) {
+    add(study.base_case.at("/numerics/spacing_m"_json_pointer).get<double>(), std::nullopt);
+  }
+}
+
+void add_cheap_constraints(const designs::StudySpec& study, SearchProblem& result) {
+  const bool any_formula =
+      std::any_of(study.objectives.begin(), study.objectives.end(),
+                  [](const designs::Objective& objective) { return objective.metric.empty(); });
+  if (expression_limit_count(study) == 0 && !any_formula) return;
+  result.problem.cheap_constraints = [&study,
+                                      space = result.problem.space](const bayesian::Point& x) {
+    const designs::Design design = to_design(study, space, x);
+    std::vector<double> g = expression_violations(study, design);
+    for (const designs::Objective& objective : study.objectives) {
+      if (!objective.metric.empty()) continue;
+      g.push_back(formula_value(study, objective.expression, design) ? -1.0 : 1.0);
+    }
+    return g;
+  };
+}
+
+}  // namespace
+
+bayesian::Space make_space(const designs::StudySpec& study) {
+  std::vector<bayesian::Variable> variables;
+  for (const designs::Variable& variable : study.variables) {
+    bayesian::Variable one;
+    one.name = variable.name;
+    one.lower = variable.lower;
+    one.upper = variable.upper;
+    switch (variable.kind) {
+      case designs::VariableKind::continuous:
+        one.kind = bayesian::VariableKind::continuous;
+        break;
+      case designs::VariableKind::integer:
+        one.kind = bayesian::VariableKind::integer;
+        break;
+      case designs::VariableKind::choice:
+        one.kind = bayesian::VariableKind::choice;
+        break;
+    }
+    if (variable.active_when) {
+      bayesian::Condition condition;
+      while (condition.choice < study.variables.size() &&
+             study.variables[condition.choice].name != variable.active_when->choice) {
+        ++condition.choice;
+      }
+      condition.options = variable.active_when->options;
+      one.active_when = std::move(condition);
+    }
+    variables.push_back(std::move(one));
+  }
+  return bayesian::Space(std::move(variables));
+}
+
+SearchProblem make_search_problem(const designs::StudySpec& study) {
+  SearchProblem result;
+  result.problem.space = make_space(study);
+  MetricList list(study, result);
+  add_objectives(study, list, result);
+  add_limits(study, list, result);
+  add_levels(study, result);
+  add_cheap_constraints(study, result);
+  return result;
+}
+
+bayesian::SearchOptions make_search_options(const designs::StudySpec& study) {
+  bayesian::SearchOptions options;
+  options.max_evaluations = study.method.max_evaluations;
+  // "further" designs: beside the starts
+  if (study.method.start_count > 0) {
+    options.initial_designs =
+        static_cast<int>(study.method.starts.size()) + study.method.start_count;
+  }
+  for (const designs::Design& start : study.method.starts) {
+    options.starts.push_back(to_point(study, start));
+  }
+  options.seed = study.method.seed;
+  options.feasibility_tolerance = feasibility_tolerance;
+  options.stagnation_evaluations = study.method.stagnation_evaluations;
+  options.least_gain = study.method.least_gain;
+  return options;
+}
+
+bayesian::Point to_point(const designs::StudySpec& study, const designs::Design& design) {
+  bayesian::Point point;
+  for (const designs::Variable& variable : study.variables) {
+    const auto found = design.find(variable.name);
+    point.push_back(found == design.end() ? std::numeric_limits<double>::quiet_NaN()
+                                          : found->second);
+  }
+  return point;
+}
+
+designs::Design to_design(const designs::StudySpec& study, const bayesian::Space& space,
+                          const bayesian::Point& point) {
+  const bayesian::Point canonical = space.canonical(point);
+  designs::Design design;
+  for (std::size_t i = 0; i < canonical.size(); ++i) {
+    if (std::isnan(canonical[i])) continue;
+    design[study.variables[i].name] = canonical[i] + 0.0;  // -0 and 0 are one design
+  }
+  return design;
+}
+
+bayesian::Observation observation(const designs::StudySpec& study, const SearchProblem& problem,
+                                  const records::EvaluationRecord& record) {
+  bayesian::Observation result;
+  result.ok = record.ok;
+  result.values.resize(problem.metrics.size());
+  const std::vector<Event> events = events_of(record);
+  for (std::size_t k = 0; k < problem.metrics.size(); ++k) {
+    if (!record.ok || !problem.metrics[k].expression.empty()) continue;
+    result.values[k] = quantity_value(problem.metrics[k].quantity, events).value;
+  }
+  result.seconds = nominal_seconds(record.particle_steps);
+  for (const designs::FidelityLevel& level : study.fidelity) {
+    if (level.spacing == record.spacing && level.seconds) {
+      result.seconds = *level.seconds * static_cast<double>(event_count(study));
+    }
+  }
+  return result;
+}
+
+std::optional<int> level_of(const SearchProblem& problem, double spacing) {
+  const auto found = std::find(problem.spacings.begin(), problem.spacings.end(), spacing);
+  if (found == problem.spacings.end()) return std::nullopt;
+  return static_cast<int>(found - problem.spacings.begin());
+}
+
+}  // namespace parapet::study

@@ -1,0 +1,138 @@
+#include "search_source.hpp"
+
+#include <algorithm>
+
+namespace parapet::study {
+
+SearchSource::SearchSource(const StudyContext& context, const SearchProblem& problem,
+                           bayesian::Search& search, AnswerOrder order, std::size_t lag)
+    : context_(context),
+      problem_(problem),
+      search_(search),
+      order_(order),
+      lag_(std::max<std::size_t>(1, order == AnswerOrder::by_log ? 1 : lag)),
+      log_told_(context.folder.log().records().size(), false) {
+  if (order_ != AnswerOrder::as_they_come) return;
+  tell_log();
+  unfinished_ = context_.folder.unfinished();
+  std::reverse(unfinished_.begin(), unfinished_.end());
+}
+
+void SearchSource::tell_record(const records::EvaluationRecord& record) {
+  const auto level = level_of(problem_, record.spacing);
+  const bool fits =
+      level && designs::check_design(context_.study, record.design, "the log").empty();
+  if (!fits) return;
+  search_.tell_external(to_point(context_.study, record.design), *level,
+                        observation(context_.study, problem_, record));
+}
+
+void SearchSource::tell_log() {
+  for (const auto& record : context_.folder.log().records()) tell_record(record);
+}
+
+void SearchSource::tell_log_before(const Proposal& proposal) {
+  const auto& records = context_.folder.log().records();
+  const auto* found = context_.folder.log().find(proposal.design, proposal.spacing);
+  const auto place = found == nullptr ? log_told_.size()
+                                      : std::min(log_told_.size(),
+                                                 static_cast<std::size_t>(found - records.data()));
+  for (std::size_t k = 0; k < place; ++k) {
+    if (log_told_[k]) continue;
+    log_told_[k] = true;
+    tell_record(records[k]);
+  }
+  if (place < log_told_.size()) log_told_[place] = true;  // the answer to the question
+}
+
+bool SearchSource::tell_next() {
+  const auto found = answers_.find(told_);
+  if (found == answers_.end()) return false;
+  search_.tell(questions_[told_].value(), observation(context_.study, problem_, found->second));
+  answers_.erase(found);
+  ++told_;
+  return true;
+}
+
+bool SearchSource::told_enough() {
+  if (questions_.size() + 1 > lag_) needed_ = std::max(needed_, questions_.size() + 1 - lag_);
+  while (told_ < needed_) {
+    if (!tell_next()) return false;
+  }
+  return true;
+}
+
+bool SearchSource::within_budget() const {
+  // The search does not know of the incomplete designs that are under way.
+  const auto used = static_cast<std::size_t>(search_.evaluations()) + open_;
+  return used < static_cast<std::size_t>(context_.study.method.max_evaluations);
+}
+
+std::optional<Proposal> SearchSource::ask() {
+  const auto suggestion = search_.ask();
+  if (!suggestion) return std::nullopt;
+  Proposal proposal;
+  proposal.stage = suggestion->stage;
+  proposal.design = to_design(context_.study, problem_.problem.space, suggestion->x);
+  proposal.spacing = problem_.spacings[static_cast<std::size_t>(suggestion->level)];
+  if (order_ == AnswerOrder::by_log) {
+    tell_log_before(proposal);
+    const bool known = context_.folder.log().find(proposal.design, proposal.spacing) != nullptr;
+    // The rest of the log has used the budget up; the question was put without knowing it.
+    if (!known && search_.evaluations() >= context_.study.method.max_evaluations) {
+      return std::nullopt;
+    }
+  }
+  questions_.emplace_back(suggestion->id);
+  ++open_;
+  return proposal;
+}
+
+std::optional<Proposal> SearchSource::next() {
+  if (!unfinished_.empty()) {
+    const records::UnfinishedDesign one = unfinished_.back();
+    unfinished_.pop_back();
+    questions_.emplace_back();
+    ++open_;
+    return Proposal{.stage = "search", .design = one.design, .spacing = one.spacing};
+  }
+  if (order_ == AnswerOrder::as_they_come) {
+    return open_ == 0 || within_budget() ? ask() : std::nullopt;
+  }
+  while (told_enough()) {
+    if (auto proposal = ask()) return proposal;
+    // Nothing sensible before another answer: exactly one more, whichever are there already.
+    if (search_.stop_reason() != bayesian::StopReason::none || told_ == questions_.size()) break;
+    needed_ = told_ + 1;
+  }
+  return std::nullopt;
+}
+
+void SearchSource::answered(std::size_t number, const records::EvaluationRecord& record) {
+  --open_;
+  if (order_ != AnswerOrder::as_they_come) {
+    answers_.emplace(number, record);
+  } else if (questions_[number]) {
+    search_.tell(*questions_[number], observation(context_.study, problem_, record));
+  } else {
+    tell_record(record);
+  }
+}
+
+void SearchSource::finish() {
+  if (order_ == AnswerOrder::as_they_come) return;
+  while (tell_next()) {
+  }
+  // A stop may have left a gap.
+  for (const auto& [number, record] : answers_) {
+    search_.tell(questions_[number].value(), observation(context_.study, problem_, record));
+  }
+  answers_.clear();
+}
+
+std::size_t open_questions(int jobs, std::size_t events) {
+  const auto others = static_cast<std::size_t>(std::max(1, jobs) - 1);
+  return 1 + (others + events - 1) / std::max<std::size_t>(1, events);
+}
+
+}  // namespace parapet::study

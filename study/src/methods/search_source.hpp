@@ -1,0 +1,68 @@
+/// The Bayesian search as a source of designs.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "evaluation_pool.hpp"
+#include "parapet/study/bayesian_problem.hpp"
+
+namespace parapet::study {
+
+/// How the search learns of answers.
+enum class AnswerOrder {
+  /// As they come. What the log holds at the beginning is told first, then incomplete designs are
+  /// completed, then the search is asked.
+  as_they_come,
+  /// In the order of the questions: question k is put when exactly the answers to the questions
+  /// 0 .. k - lag are known. The same questions follow, however fast each simulation is, and an
+  /// interrupted study is resumed by putting them again. Records that no question matches are not
+  /// told.
+  by_question,
+  /// by_question with a lag of 1, and records of other origin are told as well: those that stand in
+  /// the log before the record that answers a question, before that question is answered.
+  by_log
+};
+
+/// Puts the search's questions and tells it the answers.
+class SearchSource : public DesignSource {
+ public:
+  /// All must outlive the source.
+  /// @param lag questions that may be open at once, >= 1; see AnswerOrder
+  SearchSource(const StudyContext& context, const SearchProblem& problem, bayesian::Search& search,
+               AnswerOrder order, std::size_t lag);
+
+  std::optional<Proposal> next() override;
+  void answered(std::size_t number, const records::EvaluationRecord& record) override;
+
+  /// Tells what is known and was not told yet, in order.
+  void finish();
+
+ private:
+  void tell_record(const records::EvaluationRecord& record);
+  void tell_log();
+  void tell_log_before(const Proposal& proposal);
+  bool told_enough();
+  bool tell_next();
+  bool within_budget() const;
+  std::optional<Proposal> ask();
+
+  const StudyContext& context_;
+  const SearchProblem& problem_;
+  bayesian::Search& search_;
+  AnswerOrder order_;
+  std::size_t lag_;
+  std::vector<bool> log_told_;                         // records that the log held at the beginning
+  std::vector<records::UnfinishedDesign> unfinished_;  // still to be proposed, last first
+  std::vector<std::optional<int>> questions_;  // the search's id by number; empty: not its question
+  std::map<std::size_t, records::EvaluationRecord> answers_;  // not told yet, by number
+  std::size_t open_ = 0;                                      // proposals without an answer
+  std::size_t told_ = 0;                                      // answers told in order
+  std::size_t needed_ = 0;  // answers that must be told before the next question
+};
+
+/// Questions that may be open at once when `jobs` workers share the simulations of designs with so
+/// many events each: enough to keep every worker busy.
+std::size_t open_questions(int jobs, std::size_t events);
+
+}  // namespace parapet::study

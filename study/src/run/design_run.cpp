@@ -1,0 +1,111 @@
+#include "parapet/study/design_run.hpp"
+
+#include <atomic>
+#include <stdexcept>
+#include <utility>
+
+#include "parapet/records/hashes.hpp"
+#include "parapet/study/scoring.hpp"
+#include "parapet/study/side_by_side.hpp"
+
+namespace parapet::study {
+namespace {
+
+using designs::Json;
+
+/// Scores a record whose simulations all ended well.
+void record_score(const designs::StudySpec& study, records::EvaluationRecord& record) {
+  Score scored = score(study, record.design, events_of(record));
+  record.ok = scored.problem.empty();
+  record.reason = scored.problem;
+  record.objectives = std::move(scored.objectives);
+  record.objective_scalar = scored.objective_scalar;
+  record.constraints = std::move(scored.constraints);
+  record.feasible = scored.feasible;
+}
+
+}  // namespace
+
+DesignRun::DesignRun(const designs::StudySpec& study, designs::Design design, double spacing)
+    : study_(study),
+      design_(std::move(design)),
+      spacing_(spacing),
+      simulations_(study.scenarios.empty() ? 1 : study.scenarios.size()) {}
+
+const designs::Scenario* DesignRun::scenario(std::size_t event) const {
+  return study_.scenarios.empty() ? nullptr : &study_.scenarios[event];
+}
+
+void DesignRun::set(std::size_t event, records::Simulation simulation) {
+  simulations_[event] = std::move(simulation);
+}
+
+void DesignRun::fail(records::EvaluationRecord& record, const std::string& reason) const {
+  record.ok = false;
+  record.reason = reason;
+  record.constraints = score_expressions(study_, design_);
+}
+
+records::EvaluationRecord DesignRun::record() const {
+  records::EvaluationRecord record;
+  record.design = design_;
+  record.options = designs::option_names(study_, design_);
+  record.spacing = spacing_;
+  std::string problem;
+  std::vector<Event> events;
+  for (std::size_t k = 0; k < size(); ++k) {
+    records::ScenarioRecord one = records::scenario_record(scenario(k), simulations_[k].value());
+    record.wall_time += one.wall_time;
+    record.cpu_time += one.cpu_time;
+    record.particle_steps += one.particle_steps;
+    if (!one.ok && problem.empty()) {
+      problem = scenario(k) == nullptr ? one.reason : "scenario " + one.name + ": " + one.reason;
+    }
+    if (one.ok || scenario(k) == nullptr) events.push_back({one.name, one.weight, one.metrics});
+    if (scenario(k) != nullptr) record.scenarios.push_back(std::move(one));
+  }
+  record.metrics = mean_metrics(events);
+  if (problem.empty()) {
+    record_score(study_, record);
+  } else {
+    fail(record, problem);
+  }
+  return record;
+}
+
+Json DesignRun::report(const records::ProgramInfo& program) const {
+  Json report;
+  report["provenance"] = records::study_provenance(study_, program);
+  if (!study_.scenarios.empty()) return report;
+  Json details = simulations_.front().value().report;
+  if (details.contains("numerics")) {
+    report["provenance"]["numerics"] = details["numerics"];
+    details.erase("numerics");
+  }
+  if (details.is_object()) report.update(details);
+  return report;
+}
+
+std::optional<DesignRun> run_design(const designs::StudySpec& study, const designs::Design& design,
+                                    double spacing, const Simulator& simulator, int jobs,
+                                    const solver::Callbacks& callbacks) {
+  DesignRun run(study, design, spacing);
+  std::atomic<bool> cancelled = false;
+  run_side_by_side(
+      run.size(), jobs,
+      [&](std::size_t k, int threads) {
+        records::Simulation simulation = simulator({.study = study,
+                                                    .design = design,
+                                                    .scenario = run.scenario(k),
+                                                    .spacing = spacing,
+                                                    .threads = threads,
+                                                    .callbacks = callbacks});
+        if (simulation.cancelled) cancelled = true;
+        run.set(k, std::move(simulation));
+      },
+      [&] { return cancelled.load(); });
+  if (cancelled) return std::nullopt;
+  return run;
+}
+
+}  // namespace parapet::study

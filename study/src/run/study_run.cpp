@@ -1,0 +1,57 @@
+#include "parapet/study/study_run.hpp"
+
+#include "output_writer.hpp"
+#include "parapet/optimizer/optimize.hpp"
+#include "parapet/records/atomic_file.hpp"
+#include "parapet/records/study_folder.hpp"
+#include "parapet/study/problem.hpp"
+#include "study_methods.hpp"
+
+namespace parapet::study {
+namespace {
+
+/// The disk may be full, and then this does not work either: the exception itself says it all.
+void try_to_say_failed(OutputWriter& writer, const std::string& why) {
+  StudySummary summary;
+  summary.state = StudyState::failed;
+  summary.termination = optimizer::to_string(optimizer::Termination::failed);
+  summary.message = why;
+  try {
+    writer.end(summary);
+  } catch (const records::FileError&) {
+  }
+}
+
+}  // namespace
+
+StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& options) {
+  if (auto issues = method_issues(study); !issues.empty()) {
+    throw designs::InputError(std::move(issues));
+  }
+  records::StudyFolder folder(options.folder, study, options.program);
+  if (options.hooks.on_message) {
+    for (const std::string& note : folder.notes()) options.hooks.on_message(note);
+  }
+  folder.begin({.jobs = options.jobs, .max_evaluations = study.method.max_evaluations});
+  OutputWriter writer(study, folder, options.hooks);
+  writer.record_added();
+  Hooks hooks = options.hooks;
+  hooks.on_evaluated = [&](const records::EvaluationRecord& record, bool from_log) {
+    if (!from_log) writer.record_added();
+    if (options.hooks.on_evaluated) options.hooks.on_evaluated(record, from_log);
+  };
+  const StudyContext context{.study = study,
+                             .folder = folder,
+                             .program = options.program,
+                             .simulator = options.simulator,
+                             .hooks = hooks};
+  try {
+    return search_study(context, options.jobs, writer);
+  } catch (const std::exception& error) {
+    writer.detach();
+    try_to_say_failed(writer, error.what());
+    throw;
+  }
+}
+
+}  // namespace parapet::study

@@ -1,0 +1,158 @@
+#include "parapet/study/sweep_run.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <mutex>
+
+#include "parapet/records/atomic_file.hpp"
+#include "parapet/records/folder_lock.hpp"
+#include "parapet/records/hashes.hpp"
+#include "parapet/records/result_json.hpp"
+#include "parapet/records/sweep_row_file.hpp"
+#include "parapet/study/side_by_side.hpp"
+#include "parapet/study/sweep_result.hpp"
+#include "parapet/study/thread_count.hpp"
+
+namespace parapet::study {
+namespace {
+
+using RowResults = std::map<std::string, records::SweepRowResult>;
+
+void check_ids(const designs::SweepSpec& sweep, const std::vector<std::string>& only) {
+  std::string known;
+  for (const auto& row : sweep.rows) known += (known.empty() ? "" : ", ") + row.id;
+  std::vector<designs::InputIssue> issues;
+  for (const std::string& id : only) {
+    const bool found = std::any_of(sweep.rows.begin(), sweep.rows.end(),
+                                   [&](const auto& row) { return row.id == id; });
+    if (found) continue;
+    issues.push_back({.file = "--only",
+                      .pointer = "",
+                      .value = id,
+                      .problem = "the sweep " + sweep.name + " has no row of this id",
+                      .allowed = known});
+  }
+  if (!issues.empty()) throw designs::InputError(std::move(issues));
+}
+
+/// A guess at the work in a row, only to begin with the longest: particle steps, and more barriers
+/// hold more debris in the channel for longer.
+double expected_work(const designs::SweepRow& row) {
+  const auto& scene = row.spec.scene;
+  const double dx = row.spec.numerics.spacing;
+  const double particles = scene.reservoir_length * scene.reservoir_height / (dx * dx);
+  double heights = 0.0;
+  for (const auto& barrier : scene.barriers) heights += barrier.height;
+  return particles * row.spec.run.stop_time / dx *
+         (1.0 + static_cast<double>(scene.barriers.size()) + heights / scene.domain_length);
+}
+
+class SweepRun {
+ public:
+  SweepRun(const designs::SweepSpec& sweep, const SweepRunOptions& options)
+      : sweep_(sweep), options_(options), rows_folder_(options.folder / "rows") {}
+
+  SweepOutcome run() {
+    check_ids(sweep_, options_.only);
+    records::make_folder(options_.folder);
+    const records::FolderLock lock(options_.folder);
+    find_finished();
+    records::make_folder(rows_folder_);
+    write_table();
+    run_side_by_side(
+        waiting_.size(), options_.jobs,
+        [this](std::size_t k, int threads) { simulate(*waiting_[k], threads); },
+        [this] { return stopped(); });
+    SweepOutcome outcome;
+    outcome.interrupted = cancelled_;
+    for (const designs::SweepRow& row : sweep_.rows) {
+      if (!wanted(row)) continue;
+      const auto found = finished_.find(row.id);
+      if (found != finished_.end())
+        outcome.rows.push_back(found->second);
+      else
+        outcome.interrupted = true;
+    }
+    return outcome;
+  }
+
+ private:
+  bool wanted(const designs::SweepRow& row) const {
+    return options_.only.empty() ||
+           std::find(options_.only.begin(), options_.only.end(), row.id) != options_.only.end();
+  }
+
+  bool stopped() const {
+    return cancelled_ || (options_.hooks.cancelled && options_.hooks.cancelled());
+  }
+
+  void find_finished() {
+    for (const designs::SweepRow& row : sweep_.rows) {
+      if (auto known = records::read_finished_row(rows_folder_, row, options_.program)) {
+        if (wanted(row) && options_.on_row) options_.on_row(*known, true);
+        finished_.emplace(row.id, *std::move(known));
+      } else if (wanted(row)) {
+        waiting_.push_back(&row);
+      }
+    }
+    std::stable_sort(waiting_.begin(), waiting_.end(), [](const auto* a, const auto* b) {
+      return expected_work(*a) > expected_work(*b);
+    });
+  }
+
+  void simulate(const designs::SweepRow& row, int threads) {
+    solver::RunOptions run = row.spec.run;
+    run.threads = worthwhile_threads(row.spec, threads);
+    solver::Callbacks callbacks;
+    callbacks.on_progress = [&](const solver::Progress& progress) {
+      if (options_.hooks.on_simulation) options_.hooks.on_simulation(row.id, progress);
+      return !stopped();
+    };
+    const solver::Result result =
+        solver::simulate(row.spec.scene, row.spec.numerics, run, callbacks);
+    if (result.status == solver::Status::cancelled) {
+      cancelled_ = true;
+      return;
+    }
+    const std::scoped_lock guard(mutex_);
+    records::write_finished_row(rows_folder_, row, result, options_.program, run.threads);
+    const auto [place, added] =
+        finished_.insert_or_assign(row.id, records::make_sweep_row_result(row, result));
+    write_table();
+    if (options_.on_row) options_.on_row(place->second, false);
+  }
+
+  /// All finished rows, in the sweep's order.
+  void write_table() const {
+    std::vector<records::SweepRowResult> rows;
+    for (const designs::SweepRow& row : sweep_.rows) {
+      if (const auto found = finished_.find(row.id); found != finished_.end()) {
+        rows.push_back(found->second);
+      }
+    }
+    const designs::Json provenance =
+        records::provenance_json(options_.program, designs::spec_hash(sweep_.resolved));
+    records::write_file_atomically(
+        options_.folder / (sweep_.name + ".json"),
+        records::json_text(sweep_json(sweep_.name, sweep_.source,
+                                      sweep_.rows.front().spec.numerics.spacing, rows,
+                                      provenance)));
+  }
+
+  const designs::SweepSpec& sweep_;
+  const SweepRunOptions& options_;
+  std::filesystem::path rows_folder_;
+  std::vector<const designs::SweepRow*> waiting_;
+  RowResults finished_;
+  std::mutex mutex_;  // guards finished_ and the files while workers run
+  std::atomic<bool> cancelled_ = false;
+};
+
+}  // namespace
+
+SweepOutcome run_sweep(const designs::SweepSpec& sweep, const SweepRunOptions& options) {
+  return SweepRun(sweep, options).run();
+}
+
+}  // namespace parapet::study
