@@ -36,7 +36,7 @@ double log_box_side(double lower, double upper, double mean, double sd) {
     // are both near 1e-14.
     return std::log(sd) + log_thin_side(t_upper - 0.5 * width, width);
   }
-  const ExcessFactor& q = math::excess_factor();
+  const math::ExcessFactor& q = math::excess_factor();
   if (t_upper <= 0.0) {
     // Both in the lower tail: the density at the upper end is taken out.
     const double decay = std::exp(0.5 * width * (t_lower + t_upper));

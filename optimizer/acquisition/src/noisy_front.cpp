@@ -82,7 +82,7 @@ NoisyFront::NoisyFront(const std::vector<Eigen::MatrixXd>& objectives,
 /// kept apart so that the difference of two limits keeps its digits.
 double NoisyFront::plain_improvement(const Front& front, const double* mean, const double* sd,
                                      std::vector<Excess>& excess) const {
-  const ExcessFactor& q = math::excess_factor();
+  const math::ExcessFactor& q = math::excess_factor();
   for (std::size_t j = 0; j < n_objectives_; ++j) {
     const double inverse_sd = 1.0 / sd[j], scale = sd[j] * math::inverse_sqrt_two_pi;
     Excess* e = &excess[j * most_limits_];
