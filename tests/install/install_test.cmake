@@ -1,6 +1,6 @@
 # Proves that an installed Parapet can be used by others: the package is found after its prefix
 # has moved, no build setting leaks, a program on the solver alone runs, a program on all
-# libraries links, and the installed program starts.
+# libraries links, the installed examples build and run, and the installed program starts.
 cmake_minimum_required(VERSION 3.25)
 
 # Runs a command; its output is shown only when it fails.
@@ -24,14 +24,22 @@ set(flags "")
 if(sanitize)
   set(flags -DCMAKE_CXX_FLAGS=-fsanitize=${sanitize})
 endif()
-run_or_fail("configure the consumer" ${CMAKE_COMMAND}
-  -S ${consumer_dir} -B ${work_dir}/consumer -G ${generator}
-  -DCMAKE_MAKE_PROGRAM=${make_program} -DCMAKE_CXX_COMPILER=${compiler}
-  -DCMAKE_BUILD_TYPE=${config} -DCMAKE_PREFIX_PATH=${work_dir}/prefix ${flags})
-run_or_fail("build the consumer" ${CMAKE_COMMAND} --build ${work_dir}/consumer --config ${config})
+# Configures and builds a project against the moved installation, in a folder named after it.
+function(build_against_installed name source_dir)
+  run_or_fail("configure the ${name}" ${CMAKE_COMMAND}
+    -S ${source_dir} -B ${work_dir}/${name} -G ${generator}
+    -DCMAKE_MAKE_PROGRAM=${make_program} -DCMAKE_CXX_COMPILER=${compiler}
+    -DCMAKE_BUILD_TYPE=${config} -DCMAKE_PREFIX_PATH=${work_dir}/prefix ${flags} ${ARGN})
+  run_or_fail("build the ${name}" ${CMAKE_COMMAND} --build ${work_dir}/${name} --config ${config})
+endfunction()
+
+build_against_installed(consumer ${consumer_dir} -Dwanted_version=${version})
 
 run_or_fail("simulate with parapet::solver" ${work_dir}/consumer/bin/simulate_once)
 message(STATUS "${output}")
 run_or_fail("use every library" ${work_dir}/consumer/bin/use_all)
+message(STATUS "${output}")
+build_against_installed(examples ${work_dir}/prefix/${doc_dir}/examples)
+run_or_fail("run an example" ${work_dir}/examples/own_search)
 message(STATUS "${output}")
 run_or_fail("start the installed program" ${work_dir}/prefix/bin/parapet --help)
