@@ -1,0 +1,30 @@
+# docs/compatibility.md makes a promise about each file format. It must name every format string that
+# the sources know, and no other.
+cmake_minimum_required(VERSION 3.25)
+set(sources "")
+foreach(folder solver designs math records optimizer study reports validation cli)
+  file(GLOB_RECURSE found ${source_dir}/${folder}/*.cpp ${source_dir}/${folder}/*.hpp)
+  list(APPEND sources ${found})
+endforeach()
+
+# formats_in(VARIABLE FILE...): the format strings of some files, sorted, each once.
+function(formats_in variable)
+  set(formats "")
+  foreach(file IN LISTS ARGN)
+    file(READ ${file} text)
+    string(REGEX MATCHALL "parapet-[a-z-]+/[0-9]+" found "${text}")
+    list(APPEND formats ${found})
+  endforeach()
+  list(REMOVE_DUPLICATES formats)
+  list(SORT formats)
+  set(${variable} "${formats}" PARENT_SCOPE)
+endfunction()
+
+formats_in(known ${sources})
+formats_in(promised ${source_dir}/docs/compatibility.md)
+list(LENGTH known count)
+if(count LESS 10 OR NOT known STREQUAL promised)
+  list(JOIN known " " known)
+  list(JOIN promised " " promised)
+  message(FATAL_ERROR "the sources know\n  ${known}\ndocs/compatibility.md names\n  ${promised}")
+endif()
