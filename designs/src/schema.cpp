@@ -5,7 +5,7 @@
 
 #include "embedded.hpp"
 #include "findings.hpp"
-#include "words.hpp"
+#include "parapet/math/units.hpp"
 
 namespace parapet::designs {
 namespace {
@@ -20,7 +20,7 @@ std::map<std::string, Json> parsed_schemas() {
 }
 
 std::string with_unit(std::string text, const std::string& key) {
-  const std::string_view unit = unit_symbol(key);
+  const std::string_view unit = math::unit_of(key).plain;
   if (!unit.empty()) text.append(" [").append(unit).append("]");
   return text;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "case_parts.hpp"
+#include "parapet/math/units.hpp"
 #include "study_choices.hpp"
 #include "study_parts.hpp"
 #include "words.hpp"
@@ -39,7 +40,7 @@ std::string allowed_text(const Variable& variable) {
   };
   std::string text = whole ? "a whole number from " : "a number from ";
   text += bound(variable.lower) + " to " + bound(variable.upper);
-  const std::string_view unit = unit_symbol(variable.name);
+  const std::string_view unit = math::unit_of(variable.name).plain;
   if (!unit.empty()) text.append(" [").append(unit).append("]");
   return text;
 }

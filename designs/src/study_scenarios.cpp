@@ -4,6 +4,7 @@
 #include <set>
 
 #include "distributions.hpp"
+#include "parapet/math/units.hpp"
 #include "study_choices.hpp"
 #include "study_parts.hpp"
 #include "words.hpp"
@@ -49,7 +50,7 @@ class EventReader {
           "a JSON pointer such as /material/yield_stress_pa, or one of the names " + joined(names));
       return {};
     }
-    if (!target.empty() && unit_suffix(key) != unit_suffix(last_key(target))) {
+    if (!target.empty() && math::unit_of(key).suffix != math::unit_of(last_key(target)).suffix) {
       findings_.add(pointer, "the name does not end in the unit of its target " + target,
                     "a name in the unit of the target");
       return {};

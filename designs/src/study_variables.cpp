@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parapet/math/units.hpp"
 #include "study_choices.hpp"
 #include "study_parts.hpp"
 #include "words.hpp"
@@ -228,12 +229,11 @@ class TargetCheck {
   }
 
   bool check_unit(const std::string& name, const std::string& place, const std::string& pointer) {
-    const std::string key = last_key(place);
-    if (unit_suffix(name) == unit_suffix(key)) return true;
-    findings_.add(pointer, "the name does not end in the unit of its target " + place,
-                  unit_suffix(key).empty()
-                      ? "a name without a unit"
-                      : "a name that ends in " + std::string(unit_suffix(key)));
+    const std::string_view unit = math::unit_of(last_key(place)).suffix;
+    if (math::unit_of(name).suffix == unit) return true;
+    findings_.add(
+        pointer, "the name does not end in the unit of its target " + place,
+        unit.empty() ? "a name without a unit" : "a name that ends in " + std::string(unit));
     return false;
   }
 

@@ -4,31 +4,20 @@
 #include <array>
 #include <utility>
 
+#include "parapet/math/units.hpp"
+
 namespace parapet::designs {
 namespace {
-
-// Longest first: the first that fits is the unit.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> units{
-    {{"_m3_per_m", "m3/m"},
-     {"_kg_m3", "kg/m3"},
-     {"_pa_sn", "Pa s^N"},
-     {"_per_s", "1/s"},
-     {"_m_s2", "m/s2"},
-     {"_m_s", "m/s"},
-     {"_deg", "deg"},
-     {"_pa", "Pa"},
-     {"_m", "m"},
-     {"_s", "s"}}};
 
 // Units that people write although Parapet does not take them.
 constexpr std::array<std::string_view, 9> foreign_units{"_degrees", "_rad", "_kpa", "_hpa", "_mm",
                                                         "_cm",      "_km",  "_ms",  "_min"};
 
-std::string_view without_unit(std::string_view word) {
+std::string_view stem(std::string_view word) {
   for (const std::string_view unit : foreign_units) {
     if (word.ends_with(unit)) return word.substr(0, word.size() - unit.size());
   }
-  return word.substr(0, word.size() - unit_suffix(word).size());
+  return math::without_unit(word);
 }
 
 /// Edits (insert, delete, replace, swap neighbours) that turn one word into the other.
@@ -52,20 +41,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string_view unit_suffix(std::string_view key) {
-  for (const auto& [suffix, symbol] : units) {
-    if (key.size() > suffix.size() && key.ends_with(suffix)) return suffix;
-  }
-  return "";
-}
-
-std::string_view unit_symbol(std::string_view key) {
-  for (const auto& [suffix, symbol] : units) {
-    if (key.size() > suffix.size() && key.ends_with(suffix)) return symbol;
-  }
-  return "";
-}
-
 std::string last_key(const std::string& pointer) {
   std::string rest = pointer;
   while (!rest.empty()) {
@@ -83,8 +58,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     const std::size_t distance =
-        std::min(edit_distance(word, candidate),
-                 edit_distance(without_unit(word), without_unit(candidate)) + 1);
+        std::min(edit_distance(word, candidate), edit_distance(stem(word), stem(candidate)) + 1);
     if (distance < best_distance && distance < std::max(word.size(), candidate.size())) {
       best_distance = distance;
       best = candidate;

@@ -1,4 +1,4 @@
-/// Units in keys, and the nearest known word for a misspelt one.
+/// The nearest known word for a misspelt one.
 #pragma once
 
 #include <string>
@@ -6,12 +6,6 @@
 #include <vector>
 
 namespace parapet::designs {
-
-/// The unit suffix that a key ends in ("_deg", "_m_s2"), or "" when it carries none.
-std::string_view unit_suffix(std::string_view key);
-
-/// That unit for people ("deg", "m/s2"), or "".
-std::string_view unit_symbol(std::string_view key);
 
 /// The last token of a JSON pointer that is a key, not an index: it carries the unit.
 std::string last_key(const std::string& pointer);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "key_text.hpp"
 #include "markdown.hpp"
 #include "parapet/study/confirmation.hpp"
-#include "quantity.hpp"
 #include "recommendation_parts.hpp"
 
 namespace parapet::reports {
@@ -108,7 +108,7 @@ std::string spread_text(const Json& spread) {
   std::vector<std::vector<std::string>> rows{{"quantity", "runs", "least", "greatest", "s.d."}};
   for (const Json& one : spread) {
     const std::string metric = text_of(one["metric"]), name = text_of(one["name"]);
-    rows.push_back({fmt::format("{}{}", quantity(name).words, bracketed(metric)),
+    rows.push_back({fmt::format("{}{}", key_words(name), bracketed_unit(metric)),
                     std::to_string(one["runs"].get<int>()), number_text(value_of(one["least"])),
                     number_text(value_of(one["greatest"])), deviation_text(one)});
   }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "key_text.hpp"
 #include "markdown.hpp"
-#include "quantity.hpp"
 
 namespace parapet::reports {
 namespace {
@@ -112,7 +112,7 @@ std::string score_weights(const StudyLog& log, const study::PickRule& rule, Choi
     const std::size_t j = objective_index(log, name, "--weights");
     if (j >= weights.size()) weights.resize(j + 1, 0.0);
     weights[j] = weight;
-    words.push_back(fmt::format("{} {:g}", quantity(name).words, weight));
+    words.push_back(fmt::format("{} {:g}", key_words(name), weight));
   }
   if (!choice.front.empty()) {
     const FrontRange range = range_of(values_of(choice.front));
@@ -131,7 +131,7 @@ std::string score_weights(const StudyLog& log, const study::PickRule& rule, Choi
 }
 
 std::string limit_words(const study::ObjectiveLimit& limit) {
-  const std::string name = quantity(limit.objective).words;
+  const std::string name = key_words(limit.objective);
   if (limit.upper) return name + " at most " + with_unit(limit.upper, limit.objective);
   return name + " at least " + with_unit(limit.lower, limit.objective);
 }

@@ -1,8 +1,8 @@
 // Words for designs and objectives, which several sections share.
 #include <fmt/format.h>
 
+#include "key_text.hpp"
 #include "markdown.hpp"
-#include "quantity.hpp"
 #include "recommendation_parts.hpp"
 
 namespace parapet::reports {
@@ -13,7 +13,7 @@ std::string design_words(const Json& design) {
   std::vector<std::string> parts;
   for (const auto& [name, value] : design.items()) {
     parts.push_back(
-        fmt::format("{} {}", quantity(name).words,
+        fmt::format("{} {}", key_words(name),
                     value.is_string() ? text_of(value) : with_unit(value_of(value), name)));
   }
   return joined(parts);
@@ -22,7 +22,7 @@ std::string design_words(const Json& design) {
 std::string objective_name(const Json& objective) {
   const std::string name = text_of(objective["name"]);
   const bool formula = objective.contains("expression") && objective["expression"] == name;
-  std::string words = formula ? fmt::format("`{}`", name) : quantity(name).words;
+  std::string words = formula ? fmt::format("`{}`", name) : key_words(name);
   if (objective.contains("statistic")) words += ", " + text_of(objective["statistic"]);
   return words;
 }
@@ -34,7 +34,7 @@ std::string objective_unit_key(const Json& objective) {
 }
 
 std::string objective_label(const Json& objective) {
-  return objective_name(objective) + bracketed(objective_unit_key(objective));
+  return objective_name(objective) + bracketed_unit(objective_unit_key(objective));
 }
 
 std::string objective_value(const Json& objective, const std::optional<double>& value) {
@@ -51,7 +51,7 @@ std::string estimate_text(const Json& objective) {
 
 std::string constraint_label(const Json& constraint) {
   if (!constraint.contains("metric")) return text_of(constraint["name"]);
-  const std::string label = quantity_label(text_of(constraint["metric"]));
+  const std::string label = key_label(text_of(constraint["metric"]));
   return constraint.contains("statistic") ? label + ", " + text_of(constraint["statistic"]) : label;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "key_text.hpp"
 #include "markdown.hpp"
-#include "quantity.hpp"
 #include "recommendation_parts.hpp"
 
 namespace parapet::reports {
@@ -37,7 +37,7 @@ std::string front_table(const Json& json) {
   if (estimates) heading.push_back("meets the constraints");
   if (limits) heading.push_back("meets the limits");
   for (const Json& variable : json["study"]["variables"]) {
-    heading.push_back(quantity_label(text_of(variable["name"])));
+    heading.push_back(key_label(text_of(variable["name"])));
   }
   std::vector<std::vector<std::string>> rows{heading};
   const std::string chosen = json["feasible"].get<bool>() ? text_of(json["recommended"]["id"]) : "";

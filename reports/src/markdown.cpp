@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "quantity.hpp"
+#include "key_text.hpp"
 
 namespace parapet::reports {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "key_text.hpp"
 #include "markdown.hpp"
-#include "quantity.hpp"
 #include "recommendation_parts.hpp"
 
 namespace parapet::reports {

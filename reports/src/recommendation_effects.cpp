@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quantity.hpp"
+#include "key_text.hpp"
 #include "recommendation_parts.hpp"
 #include "response_fit.hpp"
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <vector>
 
+#include "key_text.hpp"
 #include "markdown.hpp"
-#include "quantity.hpp"
 #include "recommendation_parts.hpp"
 
 namespace parapet::reports {
@@ -28,10 +28,10 @@ std::string variables_section(const Json& design) {
     if (variable.contains("option")) {
       std::vector<std::string> options;
       for (const Json& option : variable["options"]) options.push_back(text_of(option));
-      rows.push_back({quantity(name).words, text_of(variable["option"]), joined(options), ""});
+      rows.push_back({key_words(name), text_of(variable["option"]), joined(options), ""});
       continue;
     }
-    rows.push_back({quantity(name).words, with_unit(value_of(variable["value"]), name),
+    rows.push_back({key_words(name), with_unit(value_of(variable["value"]), name),
                     fmt::format("{} to {}", number_text(value_of(variable["lower"])),
                                 with_unit(value_of(variable["upper"]), name)),
                     bound.empty() ? "" : fmt::format("at its {} bound", bound)});
@@ -67,10 +67,10 @@ std::string metrics_section(const Json& json, const Json& design) {
     if (value.is_null()) {
       const Json& reasons = design["metrics_absent"];
       absent[reasons.contains(key) ? text_of(reasons[key]) : "no reason given"].push_back(
-          quantity(key).words);
+          key_words(key));
       continue;
     }
-    rows.push_back({quantity(key).words, with_unit(value_of(value), key),
+    rows.push_back({key_words(key), with_unit(value_of(value), key),
                     definitions.contains(key) ? text_of(definitions[key]) : ""});
   }
   std::string text = "## Everything measured\n\n" + table(rows, "lrl");
@@ -134,7 +134,7 @@ std::string alternatives_section(const Json& json) {
   std::vector<std::string> heading{"design"};
   std::string alignment = "l";
   const Json& variables = json["study"]["variables"];
-  for (const Json& one : variables) heading.push_back(quantity_label(text_of(one["name"])));
+  for (const Json& one : variables) heading.push_back(key_label(text_of(one["name"])));
   for (const Json& objective : best["objectives"]) heading.push_back(objective_label(objective));
   heading.push_back("smallest margin");
   alignment.append(heading.size() - 1, 'r');
@@ -185,7 +185,7 @@ std::string effects_section(const Json& json) {
       "variable "
       "alone and mislead where variables were changed together.\n\n";
   for (const Json& fit : json["effects"]) {
-    text += fmt::format("### {}\n\n", quantity_label(text_of(fit["metric"])));
+    text += fmt::format("### {}\n\n", key_label(text_of(fit["metric"])));
     if (fit["r2"].is_number()) {
       text += fmt::format(
           "Model: {}; {} designs, R² {:.2f} ({:.2f} for designs left out of the fit), "
@@ -200,7 +200,7 @@ std::string effects_section(const Json& json) {
     std::vector<std::vector<std::string>> rows{
         {"variable", "effect", "standardised", "correlation"}};
     for (const auto& [name, effect] : fit["variables"].items()) {
-      rows.push_back({quantity(name).words, text_of(effect["says"]),
+      rows.push_back({key_words(name), text_of(effect["says"]),
                       number_text(value_of(effect["standardised_effect"])),
                       number_text(value_of(effect["correlation"]))});
     }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "key_text.hpp"
 #include "markdown.hpp"
-#include "quantity.hpp"
 #include "recommendation_parts.hpp"
 
 namespace parapet::reports {
@@ -13,7 +13,7 @@ using designs::Json;
 
 /// A metric's name, unit and statistic as sensitivity.json has them.
 std::string metric_label(const Json& metric) {
-  std::string label = quantity_label(text_of(metric["metric"]));
+  std::string label = key_label(text_of(metric["metric"]));
   const std::string statistic = metric.contains("statistic") ? text_of(metric["statistic"]) : "";
   return statistic.empty() ? label : label + ", " + statistic;
 }
@@ -53,7 +53,7 @@ std::string effect_text(const Json& variable, const std::string& metric) {
     }
     for (const std::size_t k : shown) words.push_back(value(k) + " at " + place(k));
   }
-  return joined(words) + bracketed(metric);
+  return joined(words) + bracketed_unit(metric);
 }
 
 std::string trust_text(const Json& metric) {
@@ -79,7 +79,7 @@ std::string metric_text(const Json& metric) {
   std::vector<std::vector<std::string>> rows{
       {"variable", "alone", "with interactions", "average over all else"}};
   for (const Json* variable : order) {
-    rows.push_back({quantity(text_of((*variable)["name"])).words, index_text((*variable)["first"]),
+    rows.push_back({key_words(text_of((*variable)["name"])), index_text((*variable)["first"]),
                     index_text((*variable)["total"]),
                     effect_text(*variable, text_of(metric["metric"]))});
   }

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "key_text.hpp"
 #include "markdown.hpp"
-#include "quantity.hpp"
 #include "recommendation_parts.hpp"
 
 namespace parapet::reports {
@@ -19,7 +19,7 @@ std::optional<double> number_at(const Json& json, const char* key) {
 
 std::string variable_words(const Json& variable) {
   const std::string name = text_of(variable["name"]);
-  std::string words = quantity(name).words;
+  std::string words = key_words(name);
   if (variable.contains("options")) {
     std::vector<std::string> options;
     for (const Json& option : variable["options"]) options.push_back(text_of(option));
@@ -36,8 +36,8 @@ std::string variable_words(const Json& variable) {
 std::string constraint_words(const Json& constraint) {
   const std::string metric = text_at(constraint, "metric");
   const std::string name = text_at(constraint, "name");
-  std::string words = metric.empty() ? fmt::format("`{}`", text_at(constraint, "expression"))
-                                     : quantity(metric).words;
+  std::string words =
+      metric.empty() ? fmt::format("`{}`", text_at(constraint, "expression")) : key_words(metric);
   if (!name.empty() && name != metric) words = fmt::format("{}: {}", name, words);
   const auto lower = number_at(constraint, "lower"), upper = number_at(constraint, "upper");
   const auto limit = [&](const std::optional<double>& value) {

@@ -6,8 +6,8 @@
 #include <array>
 #include <set>
 
+#include "key_text.hpp"
 #include "parapet/study/sweep_result.hpp"
-#include "quantity.hpp"
 
 namespace parapet::reports {
 namespace {

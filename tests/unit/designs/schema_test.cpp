@@ -5,7 +5,7 @@
 #include <set>
 
 #include "parapet/designs/study_spec.hpp"
-#include "words.hpp"
+#include "parapet/math/units.hpp"
 
 namespace parapet::designs {
 namespace {
@@ -106,7 +106,7 @@ TEST(Schema, NumbersCarryTheirUnit) {
     for (const auto& [key, part] : node.at("properties").items()) {
       const Json type = part.value("type", Json());
       if (type != "number" && type != "integer") continue;
-      EXPECT_NE(unit_suffix(key).empty(), !pure.contains(key)) << key;
+      EXPECT_NE(math::unit_of(key).suffix.empty(), !pure.contains(key)) << key;
     }
   });
 }

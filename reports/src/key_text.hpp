@@ -1,4 +1,4 @@
-/// Words for the keys of metrics and variables, whose suffix is their unit.
+/// Texts of the keys of metrics and variables, whose suffix is their unit, and of their numbers.
 #pragma once
 
 #include <optional>
@@ -6,19 +6,14 @@
 
 namespace parapet::reports {
 
-struct Quantity {
-  std::string words;  ///< "launch length"
-  std::string unit;   ///< "m"; "-" for a pure number
-};
-
-/// Splits "launch_length_m" into its words and its unit.
-Quantity quantity(const std::string& key);
+/// "launch length" for "launch_length_m".
+std::string key_words(const std::string& key);
 
 /// "launch length [m]"; without brackets for a pure number.
-std::string quantity_label(const std::string& key);
+std::string key_label(const std::string& key);
 
 /// " [m]"; empty for a pure number.
-std::string bracketed(const std::string& key);
+std::string bracketed_unit(const std::string& key);
 
 /// Four significant digits, never 1e+03 for a thousand; "-" when there is no value.
 std::string number_text(const std::optional<double>& value);

@@ -1,4 +1,4 @@
-#include "quantity.hpp"
+#include "key_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,23 +9,21 @@
 namespace parapet::reports {
 namespace {
 
-TEST(Quantity, SplitsTheUnitOffAKey) {
-  EXPECT_EQ(quantity("launch_length_m").words, "launch length");
-  EXPECT_EQ(quantity("launch_length_m").unit, "m");
-  EXPECT_EQ(quantity("landing_speed_m_s").unit, "m/s");
-  EXPECT_EQ(quantity("landing_speed_m_s").words, "landing speed");
-  EXPECT_EQ(quantity("deflector_angle_deg").unit, "°");
-  EXPECT_EQ(quantity("retention_efficiency").unit, "-");
-  EXPECT_EQ(quantity("retention_efficiency").words, "retention efficiency");
+TEST(KeyText, SpellsAKeyOut) {
+  EXPECT_EQ(key_words("landing_speed_m_s"), "landing speed");
+  EXPECT_EQ(key_words("retention_efficiency"), "retention efficiency");
+  EXPECT_EQ(key_label("launch_length_m"), "launch length [m]");
+  EXPECT_EQ(key_label("deflector_angle_deg"), "deflector angle [°]");
+  EXPECT_EQ(key_label("retention_efficiency"), "retention efficiency");
 }
 
 /// A key whose unit is not known would be printed as a pure number.
-TEST(Quantity, KnowsTheUnitOfEveryMetricWithOne) {
+TEST(KeyText, KnowsTheUnitOfEveryMetricWithOne) {
   for (const solver::MetricInfo& info : solver::metric_catalog(2)) {
     const bool pure = info.key.ends_with("efficiency") || info.key.ends_with("efficiency_total") ||
                       info.key.ends_with("ratio") || info.key.ends_with("number") ||
                       info.key.ends_with("dead_zone_length");
-    EXPECT_EQ(quantity(info.key).unit == "-", pure) << info.key;
+    EXPECT_EQ(bracketed_unit(info.key).empty(), pure) << info.key;
   }
 }
 
