@@ -8,12 +8,16 @@
 include(CMakePackageConfigHelpers)
 
 set(parapet_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/parapet)
-set(parapet_components "")
-foreach(component math solver designs records optimizer surrogate acquisition bayesian study reports)
-  if(NOT TARGET parapet_${component})
+set(parapet_installed_components "")
+set(parapet_component_table "")  # the part of ParapetComponents.cmake that the package needs
+foreach(component IN LISTS parapet_chosen_components)
+  if(parapet_programs_${component})
     continue()
   endif()
-  list(APPEND parapet_components ${component})
+  list(APPEND parapet_installed_components ${component})
+  string(APPEND parapet_component_table
+    "set(_parapet_needs_${component} ${parapet_needs_${component}})\n"
+    "set(_parapet_packages_${component} ${parapet_packages_${component}})\n")
   get_target_property(source_dir parapet_${component} SOURCE_DIR)
   install(TARGETS parapet_${component} EXPORT parapet_${component}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -21,6 +25,10 @@ foreach(component math solver designs records optimizer surrogate acquisition ba
     FILES_MATCHING PATTERN "*.hpp")
   install(EXPORT parapet_${component} FILE parapet-${component}-targets.cmake
     NAMESPACE parapet:: DESTINATION ${parapet_package_dir})
+endforeach()
+foreach(package IN LISTS parapet_chosen_packages)
+  string(APPEND parapet_component_table
+    "set(_parapet_find_${package} ${parapet_find_${package}})\n")
 endforeach()
 
 configure_package_config_file(cmake/parapet-config.cmake.in

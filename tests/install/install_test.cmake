@@ -2,16 +2,7 @@
 # has moved, no build setting leaks, a program on the solver alone runs, a program on all
 # libraries links, the installed examples build and run, and the installed program starts.
 cmake_minimum_required(VERSION 3.25)
-
-# Runs a command; its output is shown only when it fails.
-function(run_or_fail what)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${what} failed (${status}):\n${out}")
-  endif()
-  message(STATUS "${what}: done")
-  set(output "${out}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run_or_fail.cmake)
 
 file(REMOVE_RECURSE ${work_dir})
 file(MAKE_DIRECTORY ${work_dir})
