@@ -1,7 +1,11 @@
+// The program `parapet`.
 #include "program.hpp"
 #include "thread_policy.hpp"
 
 int main(int argc, char** argv) {
-  parapet::cli::let_waiting_threads_sleep(argv);
-  return parapet::cli::run_program(argc, argv);
+  using namespace parapet::cli;
+  let_waiting_threads_sleep(argv);
+  return run_program(argc, argv,
+                     {add_simulate, add_table3, add_optimize, add_evaluate, add_recommend,
+                      add_validate_call, add_check});
 }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "common_options.hpp"
+#include "duration_text.hpp"
 #include "interrupt.hpp"
 #include "parapet/study/design_run.hpp"
 #include "parapet/study/study_run.hpp"

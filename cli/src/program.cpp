@@ -78,7 +78,7 @@ void say_each(const Session& session, const designs::InputError& error) {
   }
 }
 
-int run_guarded(Session& session, int argc, char** argv) {
+int run_guarded(Session& session, int argc, char** argv, std::initializer_list<AddVerb> verbs) {
   CLI::App app(
       "Parapet finds better debris-flow barriers: a two-dimensional particle simulation of "
       "the flow, driven by an optimiser.",
@@ -87,13 +87,7 @@ int run_guarded(Session& session, int argc, char** argv) {
   app.fallthrough();
   app.footer(examples);
   add_global_options(app, session);
-  add_simulate(app, session);
-  add_table3(app, session);
-  add_optimize(app, session);
-  add_evaluate(app, session);
-  add_recommend(app, session);
-  add_validate(app, session);
-  add_check(app, session);
+  for (const AddVerb add_verb : verbs) add_verb(app, session);
   try {
     return parse_and_run(app, session, argc, argv);
   } catch (const designs::InputError& error) {
@@ -113,12 +107,13 @@ int run_guarded(Session& session, int argc, char** argv) {
 
 }  // namespace
 
-int run_program(int argc, char** argv) {
+int run_program(int argc, char** argv, std::initializer_list<AddVerb> verbs) {
   try {
     Session session;
     session.program = {.version = PARAPET_VERSION, .git_revision = PARAPET_GIT_REVISION};
     session.log = make_logger();
-    return run_guarded(session, argc, argv);
+    session.arguments.assign(argv, argv + argc);
+    return run_guarded(session, argc, argv, verbs);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
   } catch (...) {

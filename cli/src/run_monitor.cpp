@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "text_format.hpp"
+#include "duration_text.hpp"
 
 namespace parapet::cli {
 namespace {

@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "parapet/records/provenance.hpp"
 
@@ -18,6 +20,7 @@ enum ExitCode : int { exit_done = 0, exit_failed = 1, exit_bad_input = 2, exit_i
 struct Session {
   records::ProgramInfo program;
   std::shared_ptr<spdlog::logger> log;  ///< to standard error
+  std::vector<std::string> arguments;   ///< as given, the program's name first
   bool quiet = false;                   ///< no progress, only warnings and errors
   std::function<int()> command;         ///< of the verb that was chosen; gives the exit code
 };
@@ -28,7 +31,8 @@ void add_table3(CLI::App& app, Session& session);
 void add_optimize(CLI::App& app, Session& session);
 void add_evaluate(CLI::App& app, Session& session);
 void add_recommend(CLI::App& app, Session& session);
-void add_validate(CLI::App& app, Session& session);
+void add_validate(CLI::App& app, Session& session);       ///< of `parapet-validate`
+void add_validate_call(CLI::App& app, Session& session);  ///< executes `parapet-validate`
 void add_check(CLI::App& app, Session& session);
 
 }  // namespace parapet::cli

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "common_options.hpp"
+#include "duration_text.hpp"
 #include "interrupt.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/folder_lock.hpp"

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "common_options.hpp"
+#include "duration_text.hpp"
 #include "interrupt.hpp"
 #include "parapet/reports/sweep_table.hpp"
 #include "parapet/study/sweep_run.hpp"

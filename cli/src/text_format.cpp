@@ -3,20 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "parapet/study/scoring.hpp"
 
 namespace parapet::cli {
-
-std::string duration_text(double seconds) {
-  if (!std::isfinite(seconds)) return "?";
-  const long whole = std::lround(std::max(0.0, seconds));
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
-}
-
 namespace {
 
 // " +- 0.02  (grid 0.018, scatter 0.004)"; "~" where the order of convergence was assumed, not

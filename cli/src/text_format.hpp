@@ -8,9 +8,6 @@
 
 namespace parapet::cli {
 
-/// "45 s", "3 min 20 s", "2 h 5 min".
-std::string duration_text(double seconds);
-
 /// One line per metric, aligned; where a value is absent, the reason.
 std::string metrics_text(const std::vector<solver::Metric>& metrics);
 

@@ -4,13 +4,13 @@
 #include <stdexcept>
 
 #include "common_options.hpp"
+#include "duration_text.hpp"
 #include "interrupt.hpp"
 #include "parapet/designs/error.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/validation/suite.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
-#include "text_format.hpp"
 
 namespace parapet::cli {
 namespace {

@@ -17,15 +17,15 @@ namespace parapet::test {
 namespace {
 
 /// Only between fork and exec: no memory is allocated.
-[[noreturn]] void become_program(const char* folder, char* const* arguments, const char* in,
-                                 const char* out, const char* err) {
+[[noreturn]] void become_program(const char* program, const char* folder, char* const* arguments,
+                                 const char* in, const char* out, const char* err) {
   const int descriptors[3] = {::open(in, O_RDONLY), ::open(out, O_WRONLY | O_CREAT | O_TRUNC, 0644),
                               ::open(err, O_WRONLY | O_CREAT | O_TRUNC, 0644)};
   for (int k = 0; k < 3; ++k) {
     if (::dup2(descriptors[k], k) < 0) ::_exit(127);
   }
   if (::chdir(folder) != 0) ::_exit(127);
-  ::execv(PARAPET_PROGRAM, arguments);
+  ::execv(program, arguments);
   ::_exit(127);
 }
 
@@ -47,12 +47,16 @@ std::string TemporaryFolder::write(const std::string& name, const std::string& c
   return (path_ / name).string();
 }
 
+std::filesystem::path parapet_program() {
+  return PARAPET_PROGRAM;
+}
+
 RunningProgram::RunningProgram(const std::filesystem::path& working_folder,
-                               const std::vector<std::string>& arguments,
-                               const std::string& input) {
+                               const std::vector<std::string>& arguments, const std::string& input,
+                               const std::filesystem::path& program) {
   const std::string in = streams_.write("in", input);
   const std::string out = (streams_ / "out").string(), err = (streams_ / "err").string();
-  std::vector<std::string> words{PARAPET_PROGRAM};
+  std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -60,7 +64,8 @@ RunningProgram::RunningProgram(const std::filesystem::path& working_folder,
   process_ = ::fork();
   if (process_ < 0) throw std::runtime_error("fork failed");
   if (process_ == 0) {
-    become_program(working_folder.c_str(), pointers.data(), in.c_str(), out.c_str(), err.c_str());
+    become_program(program.c_str(), working_folder.c_str(), pointers.data(), in.c_str(),
+                   out.c_str(), err.c_str());
   }
 }
 
@@ -89,8 +94,9 @@ Outcome RunningProgram::wait() {
 }
 
 Outcome run_program(const std::filesystem::path& working_folder,
-                    const std::vector<std::string>& arguments, const std::string& input) {
-  return RunningProgram(working_folder, arguments, input).wait();
+                    const std::vector<std::string>& arguments, const std::string& input,
+                    const std::filesystem::path& program) {
+  return RunningProgram(working_folder, arguments, input, program).wait();
 }
 
 std::string file_text(const std::filesystem::path& file) {

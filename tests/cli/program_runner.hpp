@@ -31,11 +31,15 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// The program `parapet` of this build.
+std::filesystem::path parapet_program();
+
 /// A program that runs in the background, in `working_folder`. Killed if it still runs at the end.
 class RunningProgram {
  public:
   RunningProgram(const std::filesystem::path& working_folder,
-                 const std::vector<std::string>& arguments, const std::string& input = "");
+                 const std::vector<std::string>& arguments, const std::string& input = "",
+                 const std::filesystem::path& program = parapet_program());
   ~RunningProgram();
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
@@ -53,7 +57,8 @@ class RunningProgram {
 
 /// Runs the program to its end.
 Outcome run_program(const std::filesystem::path& working_folder,
-                    const std::vector<std::string>& arguments, const std::string& input = "");
+                    const std::vector<std::string>& arguments, const std::string& input = "",
+                    const std::filesystem::path& program = parapet_program());
 
 /// Waits until a condition holds, at most a minute; whether it does.
 template <typename Condition>
