@@ -42,23 +42,10 @@ Flow::Flow(FlowSetup setup)
                       : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
       impulses_(at(setup_.n_barriers)) {
   fluid_.assign(setup_.particles);
-  // the ghost point that pads the rows
   const std::size_t n = walls_.size();
-  walls_.x.push_back(1e6);
-  walls_.z.push_back(1e6);
-  for (auto* a :
-       {&walls_.volume, &walls_.u, &walls_.w, &walls_.normal_x, &walls_.normal_z, &walls_.depth}) {
-    a->push_back(0.0);
-  }
-  for (auto* a : {&wall_pressure_, &wall_fluid_u_, &wall_fluid_w_}) a->assign(n + 1, 0.0);
-  for (std::size_t k = 0; k <= n; ++k) {
-    wall_place_.push_back({{walls_.x[k], walls_.z[k], walls_.volume[k], walls_.depth[k]}});
-    wall_face_.push_back({{walls_.u[k], walls_.w[k], walls_.normal_x[k], walls_.normal_z[k]}});
-  }
-  wall_state_.assign(n + 1, Record{});
   first_barrier_point_ = static_cast<int>(n);
   for (std::size_t k = n; k-- > 0;) {
-    if (setup_.solids.faces[at(walls_.face[k])].barrier >= 0) {
+    if (setup_.solids.faces[at(walls_.owner[k])].barrier >= 0) {
       first_barrier_point_ = static_cast<int>(k);
     }
   }
@@ -97,27 +84,12 @@ FlowArrays Flow::packed_arrays() {
   c.periodic_length = setup_.periodic_length;
   c.even_volume = numerics.spacing * numerics.spacing;
   c.no_slip = setup_.wall_slip == WallSlip::no_slip;
-  const WallView wall{static_cast<int>(walls_.size()),
-                      walls_.x.data(),
-                      walls_.z.data(),
-                      walls_.volume.data(),
-                      walls_.u.data(),
-                      walls_.w.data(),
-                      walls_.normal_x.data(),
-                      walls_.normal_z.data(),
-                      walls_.depth.data(),
-                      wall_pressure_.data(),
-                      wall_fluid_u_.data(),
-                      wall_fluid_w_.data(),
-                      wall_place_.data(),
-                      wall_face_.data(),
-                      wall_state_.data()};
   RowView rows = rows_.view();
   rows.begin = reached_begin_.data();
   rows.wall_begin = reached_wall_begin_.data();
   rows.end = reached_end_.data();
   rows.index = reached_index_.data();
-  return {c, fluid_.view(), wall, rows};
+  return {c, fluid_.view(), walls_.view(), rows};
 }
 
 void Flow::prepare_neighbors() {
@@ -229,8 +201,7 @@ void Flow::update_density_rate() {
   const StageScope scope(setup_.timer, Stage::density_rate);
   pack(&Fluid::pack_motion);
   const FlowArrays a = packed_arrays();
-  const ShiftedRates rates{fluid_.density_rate.data(), fluid_.mass_rate.data(),
-                           fluid_.exchange_x.data(), fluid_.exchange_z.data()};
+  const ShiftedRates rates = fluid_.rates();
   for_blocks(fluid_.n, threads(),
              [&](int begin, int end) { passes_.density_rate(a, rates, begin, end); });
 }

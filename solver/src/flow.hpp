@@ -114,9 +114,7 @@ class Flow {
   FlowSetup setup_;
   const PassTable& passes_;
   WallPoints walls_;
-  std::vector<double> wall_pressure_, wall_fluid_u_, wall_fluid_w_;  // [n_wall + 1]
-  std::vector<Record> wall_place_, wall_face_, wall_state_;          // [n_wall + 1], see WallView
-  std::vector<double> load_x_, load_z_;                              // [n_active]
+  std::vector<double> load_x_, load_z_;  // [n_active]
   int first_barrier_point_ = 0;
   Fluid fluid_;
   NeighborRows rows_;

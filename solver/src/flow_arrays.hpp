@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "kernel.hpp"
+#include "particle_fields.hpp"
 
 namespace parapet::solver {
 
@@ -23,10 +24,21 @@ struct RowView {
   int n_active;
 };
 
-// What a pass wants of its neighbours, four values side by side: one load per neighbour instead of
-// four. The records repeat the arrays; Fluid::pack fills them.
-struct alignas(32) Record {
-  double value[4];
+// What a neighbour sum wants of its neighbours, four values side by side. The records repeat the
+// arrays; Fluid::pack fills them.
+#define PARAPET_DECLARE_RECORD(name, Type, a, b, c, d) \
+  struct alignas(32) Type {                            \
+    double a, b, c, d;                                 \
+  };
+PARAPET_PARTICLE_RECORDS(PARAPET_DECLARE_RECORD)
+PARAPET_WALL_RECORDS(PARAPET_DECLARE_RECORD)
+#undef PARAPET_DECLARE_RECORD
+
+// What the fluid does to a wall point.
+struct alignas(32) WallState {
+  double pressure;          // extrapolated from the fluid [Pa]
+  double fluid_u, fluid_w;  // fluid velocity interpolated at the point [m/s]
+  double unused;            // a record holds four
 };
 
 // A vector in the plane, side by side.
@@ -34,54 +46,35 @@ struct alignas(16) Pair {
   double x, z;
 };
 
+// Arrays [n + 1] of every quantity that lasts, and the records; names and units:
+// particle_fields.hpp.
 struct FluidView {
   int n;
-  const double *x, *z;      // position [m]
-  const double *u, *w;      // velocity [m/s]
-  const double* density;    // [kg/m3]
-  const double* pressure;   // [Pa]
-  const double* volume;     // m/rho [m2]
-  const double* viscosity;  // apparent, with the quadrature correction of rheology.hpp [Pa s]
-  const double *density_grad_x, *density_grad_z;  // renormalised [kg/m4]
-  const double *shift_u, *shift_w;                // shifting velocity [m/s]
-  const double* tic;     // +1, or -1 where the tensile-instability control acts
-  const Record* motion;  // x, z, u, w
-  const Record* state;   // volume, density, pressure, viscosity
-  const Record* shift;   // shift_u, shift_w, density_grad_x, density_grad_z
+#define PARAPET_VIEW_FIELD(name, ...) const double* name;
+#define PARAPET_VIEW_RECORD(name, Type, ...) const Type* name;
+  PARAPET_STATE_FIELDS(PARAPET_VIEW_FIELD)
+  PARAPET_DERIVED_FIELDS(PARAPET_VIEW_FIELD)
+  PARAPET_PARTICLE_RECORDS(PARAPET_VIEW_RECORD)
 };
 
 struct WallView {
   int n;
-  const double *x, *z;                // [m]
-  const double* volume;               // [m2]
-  const double *u, *w;                // velocity of the wall itself [m/s]
-  const double *normal_x, *normal_z;  // of the face, into the fluid
-  const double* depth;                // below the face [m]
-  double* pressure;                   // extrapolated from the fluid [Pa]
-  double *fluid_u, *fluid_w;          // fluid velocity interpolated at the point [m/s]
-  const Record* place;                // x, z, volume, depth
-  const Record* face;                 // u, w, normal_x, normal_z
-  Record* state;                      // pressure, fluid_u, fluid_w, 0; the ghost's is zero
+  PARAPET_WALL_FIELDS(PARAPET_VIEW_FIELD)
+  PARAPET_WALL_RECORDS(PARAPET_VIEW_RECORD)
+#undef PARAPET_VIEW_FIELD
+#undef PARAPET_VIEW_RECORD
+  WallState* state;  // the ghost's is zero
 };
 
-// Sums of the gradient pass, [n_fluid] each. B = sum (r_j - r_i) (x) grad W V_j.
+// What the gradient and the density pass write, [n_fluid] each.
+#define PARAPET_WRITTEN_FIELD(name, ...) double* name;
 struct GradientSums {
-  double *fluid_bxx, *fluid_bxz, *fluid_bzz;  // over the fluid alone
-  double *bxx, *bxz, *bzz;                    // over fluid and walls
-  double *density_x, *density_z;              // sum (rho_j - rho_i) grad W V_j, fluid [kg/m4]
-  double *ux, *uz, *wx, *wz;                  // sum (u_j - u_i) grad W V_j, both [1/s]
-  double *shift_x, *shift_z;                  // sum of Eq. 9 without its factor, both [1/m]
-  double* approach2;                          // sum (u_ij . r_ij)^2 |F| V_j/r^2 [1/s2]
-  double *moment_pp, *moment_pq, *moment_qq;  // sum p^2, p q, q^2 |F| V_j/r^2 with p = x^2 - z^2,
-                                              // q = 2 x z of r_ij, over what shears the particle
+  PARAPET_GRADIENT_SUMS(PARAPET_WRITTEN_FIELD)
 };
-
-// What the density pass finds, [n_fluid] each.
 struct ShiftedRates {
-  double* density;                  // d rho/dt [kg/m3/s]
-  double* mass;                     // dm/dt [kg/m/s]
-  double *exchange_x, *exchange_z;  // m du/dt from the mass that shifting exchanges [N/m]
+  PARAPET_RATE_FIELDS(PARAPET_WRITTEN_FIELD)
 };
+#undef PARAPET_WRITTEN_FIELD
 
 struct FlowConstants {
   Kernel kernel;

@@ -33,7 +33,7 @@ void Flow::measure_barrier_load(double dt) {
   });
   for (int s = first; s < a.rows.n_active; ++s) {
     const auto k = at(active[s]);
-    const Face& face = setup_.solids.faces[at(walls_.face[k])];
+    const Face& face = setup_.solids.faces[at(walls_.owner[k])];
     if (face.barrier < 0) continue;
     BarrierImpulse& impulse = impulses_[at(face.barrier)];
     const Vec2 force{load_x_[at(s)], load_z_[at(s)]};

@@ -1,4 +1,4 @@
-// The fluid's particles: one aligned array per quantity, and everything computed from them.
+// The fluid's particles: one array per quantity of particle_fields.hpp.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace parapet::solver {
 
-// One particle at release.
+// One particle at release: the state.
 struct InitialParticle {
   double x, z;     // [m]
   double u, w;     // [m/s]
@@ -17,41 +17,68 @@ struct InitialParticle {
   double mass;     // [kg/m]
 };
 
+struct FieldInfo {
+  const char* name;
+  Lifetime lifetime;
+  double first;  // of every particle at release, but for the state
+  double ghost;
+};
+
 // Arrays are [n + 1]: the last entry is the ghost that pads neighbour rows.
 struct Fluid {
   int n = 0;
-  std::vector<double> x, z, u, w, density, mass;       // state
-  std::vector<double> pressure, volume;                // from the equation of state
-  std::vector<double> viscosity, shear_rate;           // rheology (Eq. 13-15)
-  std::vector<double> quadrature;                      // correction of the viscous sum
-  std::vector<double> pair_viscosity;                  // viscosity x quadrature
-  std::vector<double> lambda, closeness;               // eigenvalue (Eq. 10), trace
-  std::vector<double> shift_u, shift_w;                // Eq. 9-11
-  std::vector<double> tic;                             // tensile-instability control: 1 or -1
-  std::vector<double> density_rate, mass_rate;         // Eq. 6-7, with the shifting
-  std::vector<double> exchange_x, exchange_z;          // momentum that comes with the mass
-  std::vector<double> density_grad_x, density_grad_z;  // Eq. 8
-  std::vector<double> sums[18];                        // of the gradient pass
-  std::vector<double> viscous_ax, viscous_az;          // viscous acceleration of the last solve
-  std::vector<Record> motion, state, shift;            // packed, see FluidView
-  std::vector<std::int32_t> id;                        // of the particle at release
+#define PARAPET_ARRAY(name, ...) std::vector<double> name;
+  PARAPET_PARTICLE_FIELDS(PARAPET_ARRAY)
+  struct Sums {
+    PARAPET_GRADIENT_SUMS(PARAPET_ARRAY)
+  } sums;
+#undef PARAPET_ARRAY
+#define PARAPET_RECORDS(name, Type, ...) std::vector<Type> name;
+  PARAPET_PARTICLE_RECORDS(PARAPET_RECORDS)
+#undef PARAPET_RECORDS
+  std::vector<std::int32_t> id;  // of the particle at release
 
   void assign(std::span<const InitialParticle> particles);
-  // Reorders the state (not what is computed from it): new particle k is old order[k].
+  InitialParticle particle(int i) const;
+  // Reorders what survives a sorting: new particle k is old order[k].
   void permute(std::span<const std::int32_t> order);
   // Removes the particles of these ascending indices, keeping the order of the others.
   void remove(std::span<const std::int32_t> indices);
+
   // Brings the records of [begin, end) up to date with the arrays; the ghost's with end = n + 1.
   void pack(int begin, int end);
-  void pack_motion(int begin, int end);
-  void pack_state(int begin, int end);
-  void pack_shift(int begin, int end);
+#define PARAPET_PACK(name, ...) void pack_##name(int begin, int end);
+  PARAPET_PARTICLE_RECORDS(PARAPET_PACK)  // pack_motion, pack_state, pack_shift: one kind alone
+#undef PARAPET_PACK
+
   FluidView view() const;
   GradientSums gradient_sums();
+  ShiftedRates rates();
+
+  // Calls visit(FieldInfo, array) for every quantity.
+  template <class Visit>
+  void for_each_field(const Visit& visit) {
+    visit_fields(*this, visit);
+  }
+  template <class Visit>
+  void for_each_field(const Visit& visit) const {
+    visit_fields(*this, visit);
+  }
 
  private:
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, const Visit& visit) {
+#define PARAPET_VISIT(name, lifetime, first, ghost) \
+  visit(FieldInfo{#name, Lifetime::lifetime, first, ghost}, self.name);
+    PARAPET_PARTICLE_FIELDS(PARAPET_VISIT)
+#undef PARAPET_VISIT
+#define PARAPET_VISIT(name, lifetime, first, ghost) \
+  visit(FieldInfo{"sums." #name, Lifetime::lifetime, first, ghost}, self.sums.name);
+    PARAPET_GRADIENT_SUMS(PARAPET_VISIT)
+#undef PARAPET_VISIT
+  }
   void set_ghost();
-  std::vector<std::vector<double>*> arrays();  // all but the sums and the ids
+
   std::vector<double> scratch_;
   std::vector<std::int32_t> scratch_id_;
 };

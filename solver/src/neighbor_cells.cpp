@@ -26,8 +26,11 @@ void NeighborRows::prepare_walls() {
     wall_grid_.x0 = wall_grid_.z0 = 1e9;
     return;
   }
-  const auto [x_min, x_max] = std::minmax_element(walls_.x.begin(), walls_.x.end());
-  const auto [z_min, z_max] = std::minmax_element(walls_.z.begin(), walls_.z.end());
+  const auto range = [n](const std::vector<double>& places) {  // without the ghost's
+    return std::minmax_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(n));
+  };
+  const auto [x_min, x_max] = range(walls_.x);
+  const auto [z_min, z_max] = range(walls_.z);
   wall_grid_ = {*x_min - 2.0 * cell, *z_min - 2.0 * cell, cell, cell, 1, 1};
   wall_grid_.nx = wall_grid_.column(*x_max) + 3;
   wall_grid_.nz = wall_grid_.row(*z_max) + 3;

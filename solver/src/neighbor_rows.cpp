@@ -95,7 +95,7 @@ void NeighborRows::add_wall_neighbors(const Fluid& fluid, int i, const std::vect
         const Vec2 q{walls_.x[at(k)] - shift, walls_.z[at(k)]};
         const double rx = p.x - q.x, rz = p.z - q.z;
         if (rx * rx + rz * rz >= limit) continue;
-        const int owner = walls_.face[at(k)];
+        const int owner = walls_.owner[at(k)];
         const int seen =
             faces.size() == 1 ? faces.front() : first_crossed(solids_.faces, faces, p, q);
         if (seen == owner) out.push_back(k);

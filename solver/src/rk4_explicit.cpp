@@ -1,11 +1,15 @@
 // Reference time integration: the classic fourth-order Runge-Kutta scheme over all of Eq. 6.
+#include "index.hpp"
 #include "time_integrator.hpp"
 
 namespace parapet::solver {
 namespace {
 
+// One array for each quantity of the state, or its rate of change.
 struct State {
-  std::vector<double> x, z, u, w, density, mass;
+#define PARAPET_ARRAY(name, ...) std::vector<double> name;
+  PARAPET_STATE_FIELDS(PARAPET_ARRAY)
+#undef PARAPET_ARRAY
 };
 
 class Rk4Explicit final : public TimeIntegrator {
@@ -15,12 +19,14 @@ class Rk4Explicit final : public TimeIntegrator {
 
   std::optional<Failure> advance(Flow& flow, double dt) override {
     Fluid& f = flow.fluid();
-    start_ = {f.x, f.z, f.u, f.w, f.density, f.mass};
+    const std::size_t n = at(f.n);
+#define PARAPET_START(name, ...) \
+  start_.name = f.name;          \
+  sum_.name.assign(n + 1, 0.0);
+    PARAPET_STATE_FIELDS(PARAPET_START)
+#undef PARAPET_START
     static constexpr double next_stage[] = {0.5, 0.5, 1.0, 0.0};
     static constexpr double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
-    const auto n = static_cast<std::size_t>(f.n);
-    for (auto* a : {&sum_.x, &sum_.z, &sum_.u, &sum_.w, &sum_.density, &sum_.mass})
-      a->assign(n + 1, 0.0);
     for (int stage = 0; stage < 4; ++stage) {
       if (stage > 0) {
         flow.find_reached_pairs();
@@ -28,7 +34,7 @@ class Rk4Explicit final : public TimeIntegrator {
       }
       derive(flow, dt);
       if (stage == 0) flow.measure_barrier_load(dt);
-      accumulate(sum_, weight[stage], n);
+      add_to_sum(weight[stage], n);
       if (stage < 3) place(f, slope_, next_stage[stage] * dt, n);
     }
     place(f, sum_, dt, n);
@@ -36,48 +42,44 @@ class Rk4Explicit final : public TimeIntegrator {
   }
 
  private:
-  // slope_ = d(state)/dt at the fluid's present state.
+  // slope_ = d(state)/dt at the fluid's present state. Every member must be worked out here.
   void derive(Flow& flow, double dt) {
     Fluid& f = flow.fluid();
-    const auto n = static_cast<std::size_t>(f.n);
-    for (auto* a : {&slope_.u, &slope_.w}) a->assign(n + 1, 0.0);
+    const std::size_t n = at(f.n);
+    std::vector<double> x(n + 1, 0.0), z(n + 1, 0.0), u(n + 1, 0.0), w(n + 1, 0.0);
     flow.extrapolate_walls();
     flow.update_gradients(dt);
-    flow.add_body_and_pressure_force(slope_.u, slope_.w);
-    if (!flow.inviscid()) flow.add_viscous_force(slope_.u, slope_.w);
+    flow.add_body_and_pressure_force(u, w);
+    if (!flow.inviscid()) flow.add_viscous_force(u, w);
     flow.update_density_rate();
-    slope_.density = f.density_rate;
-    slope_.mass = f.mass_rate;
-    slope_.x.resize(n + 1);
-    slope_.z.resize(n + 1);
     for (std::size_t i = 0; i < n; ++i) {
-      slope_.u[i] += f.exchange_x[i] / f.mass[i];
-      slope_.w[i] += f.exchange_z[i] / f.mass[i];
-      slope_.x[i] = f.u[i] + f.shift_u[i];
-      slope_.z[i] = f.w[i] + f.shift_w[i];
+      u[i] += f.exchange_x[i] / f.mass[i];
+      w[i] += f.exchange_z[i] / f.mass[i];
+      x[i] = f.u[i] + f.shift_u[i];
+      z[i] = f.w[i] + f.shift_w[i];
     }
+    slope_ = {.x = std::move(x),
+              .z = std::move(z),
+              .u = std::move(u),
+              .w = std::move(w),
+              .density = f.density_rate,
+              .mass = f.mass_rate};
   }
 
-  void accumulate(State& sum, double weight, std::size_t n) const {
+  void add_to_sum(double weight, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
-      sum.x[i] += weight * slope_.x[i];
-      sum.z[i] += weight * slope_.z[i];
-      sum.u[i] += weight * slope_.u[i];
-      sum.w[i] += weight * slope_.w[i];
-      sum.density[i] += weight * slope_.density[i];
-      sum.mass[i] += weight * slope_.mass[i];
+#define PARAPET_ADD(name, ...) sum_.name[i] += weight * slope_.name[i];
+      PARAPET_STATE_FIELDS(PARAPET_ADD)
+#undef PARAPET_ADD
     }
   }
 
   // fluid = start + dt slope.
   void place(Fluid& f, const State& slope, double dt, std::size_t n) const {
     for (std::size_t i = 0; i < n; ++i) {
-      f.x[i] = start_.x[i] + dt * slope.x[i];
-      f.z[i] = start_.z[i] + dt * slope.z[i];
-      f.u[i] = start_.u[i] + dt * slope.u[i];
-      f.w[i] = start_.w[i] + dt * slope.w[i];
-      f.density[i] = start_.density[i] + dt * slope.density[i];
-      f.mass[i] = start_.mass[i] + dt * slope.mass[i];
+#define PARAPET_PLACE(name, ...) f.name[i] = start_.name[i] + dt * slope.name[i];
+      PARAPET_STATE_FIELDS(PARAPET_PLACE)
+#undef PARAPET_PLACE
     }
   }
 

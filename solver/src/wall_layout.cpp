@@ -1,6 +1,7 @@
 #include "wall_layout.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace parapet::solver {
 namespace {
@@ -22,8 +23,38 @@ void add_stations(std::vector<Station>& stations, double from, double to, double
 
 }  // namespace
 
+WallPoints::WallPoints(std::span<const WallPoint> points, std::vector<int> owners)
+    : owner(std::move(owners)) {
+#define PARAPET_FILL(name, ghost)                                   \
+  for (const WallPoint& point : points) name.push_back(point.name); \
+  name.push_back(ghost);
+  PARAPET_WALL_FIELDS(PARAPET_FILL)
+#undef PARAPET_FILL
+  for (std::size_t k = 0; k <= points.size(); ++k) {
+#define PARAPET_PACK(name, Type, a, b, c, d) \
+  records.name.push_back({.a = a[k], .b = b[k], .c = c[k], .d = d[k]});
+    PARAPET_WALL_RECORDS(PARAPET_PACK)
+#undef PARAPET_PACK
+  }
+  records.state.assign(points.size() + 1, WallState{});
+}
+
+WallView WallPoints::view() {
+  WallView view;
+  view.n = static_cast<int>(size());
+#define PARAPET_POINT(name, ...) view.name = name.data();
+  PARAPET_WALL_FIELDS(PARAPET_POINT)
+#undef PARAPET_POINT
+#define PARAPET_POINT(name, ...) view.name = records.name.data();
+  PARAPET_WALL_RECORDS(PARAPET_POINT)
+#undef PARAPET_POINT
+  view.state = records.state.data();
+  return view;
+}
+
 WallPoints lay_out_walls(const Solids& solids, double spacing, double reach) {
-  WallPoints points;
+  std::vector<WallPoint> points;
+  std::vector<int> owners;
   const int layers = static_cast<int>(std::ceil(reach / spacing));
   const double past = layers * spacing;
   for (std::size_t f = 0; f < solids.faces.size(); ++f) {
@@ -50,19 +81,19 @@ WallPoints lay_out_walls(const Solids& solids, double spacing, double reach) {
         if ((before || after) && !goes_on && (outline.empty() || !inside_polygon(outline, p))) {
           continue;
         }
-        points.x.push_back(p.x);
-        points.z.push_back(p.z);
-        points.volume.push_back(station.width * spacing);
-        points.u.push_back(face.velocity.x);
-        points.w.push_back(face.velocity.z);
-        points.normal_x.push_back(face.normal.x);
-        points.normal_z.push_back(face.normal.z);
-        points.depth.push_back(depth);
-        points.face.push_back(static_cast<int>(f));
+        points.push_back({.x = p.x,
+                          .z = p.z,
+                          .volume = station.width * spacing,
+                          .u = face.velocity.x,
+                          .w = face.velocity.z,
+                          .normal_x = face.normal.x,
+                          .normal_z = face.normal.z,
+                          .depth = depth});
+        owners.push_back(static_cast<int>(f));
       }
     }
   }
-  return points;
+  return {points, std::move(owners)};
 }
 
 }  // namespace parapet::solver

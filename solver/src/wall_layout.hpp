@@ -1,23 +1,44 @@
 // Wall (dummy) points of every face, laid out in the face's own frame.
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "flow_arrays.hpp"
 #include "geometry.hpp"
 
 namespace parapet::solver {
 
+// One wall point, of particle_fields.hpp.
+struct WallPoint {
+#define PARAPET_MEMBER(name, ...) double name;
+  PARAPET_WALL_FIELDS(PARAPET_MEMBER)
+#undef PARAPET_MEMBER
+};
+
 // A wall point belongs to one face and is seen only by fluid whose line of sight enters the solid
 // through that face. Thin plates therefore carry a set for either side, each as deep as the kernel
 // needs, and neither side ever feels the other.
+//
+// Arrays are [n + 1]: the last entry is the ghost that pads neighbour rows.
 struct WallPoints {
-  std::vector<double> x, z;                         // [n] (m)
-  std::vector<double> volume;                       // [n] (m2)
-  std::vector<double> u, w;                         // [n] velocity of the wall (m/s)
-  std::vector<double> normal_x, normal_z;           // [n] of the owner, into the fluid
-  std::vector<double> depth;                        // [n] below the owner's surface (m)
-  std::vector<int> face;                            // [n] owner
-  std::size_t size() const { return face.size(); }  // without the ghost that may follow
+#define PARAPET_ARRAY(name, ...) std::vector<double> name;
+#define PARAPET_RECORDS(name, Type, ...) std::vector<Type> name;
+  PARAPET_WALL_FIELDS(PARAPET_ARRAY)
+  struct Records {
+    PARAPET_WALL_RECORDS(PARAPET_RECORDS)
+    std::vector<WallState> state;
+  } records;
+#undef PARAPET_ARRAY
+#undef PARAPET_RECORDS
+  std::vector<int> owner;  // [n] the face that a point belongs to
+
+  WallPoints() : WallPoints(std::span<const WallPoint>{}, {}) {}
+  WallPoints(std::span<const WallPoint> points, std::vector<int> owners);
+  std::size_t size() const {
+    return owner.size();
+  }  // without the ghost
+  WallView view();
 };
 
 // Rows of points every `spacing` along each face, `reach` deep (rounded up to whole layers). The

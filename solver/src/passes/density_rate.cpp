@@ -24,40 +24,42 @@ void rates_of(const FlowArrays& a, const ShiftedRates& out, int begin, int end) 
     const v8d grad_x = splat(f.density_grad_x[i]), grad_z = splat(f.density_grad_z[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
-      const FourLanes shift = gather(f.shift, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
-      const v8d fv = g.f * state.a;
-      const v8d du = motion.c - ui, dw = motion.d - wi, rho_j = state.b;
+      const auto motion = gather(f.motion, j);
+      const auto state = gather(f.state, j);
+      const auto shift = gather(f.shift, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.x, motion.z);
+      const v8d fv = g.f * state.volume;
+      const v8d du = motion.u - ui, dw = motion.w - wi, rho_j = state.density;
       divergence += fv * (du * g.rx + dw * g.rz);
-      const v8d sx = shift.a, sz = shift.b;
+      const v8d sx = shift.shift_u, sz = shift.shift_w;
       spread += fv * ((sx - shift_x) * g.rx + (sz - shift_z) * g.rz);
       const v8d pair = fv * ((carried_x + rho_j * sx) * g.rx + (carried_z + rho_j * sz) * g.rz);
       flux += pair;
       ex += pair * du;
       ez += pair * dw;
       // (r_j - r_i) . grad W / r^2 = -F
-      const v8d along = (grad_x + shift.c) * g.rx + (grad_z + shift.d) * g.rz;
+      const v8d along =
+          (grad_x + shift.density_grad_x) * g.rx + (grad_z + shift.density_grad_z) * g.rz;
       diffusion -= (splat(2.0) * (rho_j - rho_i) + along) * fv;
     }
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const FourLanes place = gather(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
+      const auto place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
       // The wall only stops the flow across it. Along it the point goes with the particle: the
       // tangential part vanishes in the integral, but its sum over discrete points does not and
       // would make the pressure of sheared particles jump as they pass from point to point.
-      const FourLanes face = gather(a.wall.face, k);
-      const v8d nx = face.c, nz = face.d, volume = place.c;
-      const v8d across = (ui - face.a) * nx + (wi - face.b) * nz;
+      const auto face = gather(a.wall.face, k);
+      const v8d nx = face.normal_x, nz = face.normal_z, volume = place.volume;
+      const v8d across = (ui - face.u) * nx + (wi - face.w) * nz;
       divergence -= g.f * volume * across * (nx * g.rx + nz * g.rz);
       spread -= splat(2.0) * g.f * volume * (shift_x * g.rx + shift_z * g.rz);
     }
     const double fluxes = sum_lanes(flux);
-    out.density[i] =
+    out.density_rate[i] =
         -f.density[i] * (sum_lanes(divergence) + sum_lanes(spread)) + fluxes +
         c.density_diffusion * c.smoothing_length * c.sound_speed * sum_lanes(diffusion);
-    out.mass[i] = f.volume[i] * fluxes;
+    out.mass_rate[i] = f.volume[i] * fluxes;
     out.exchange_x[i] = 0.5 * f.volume[i] * sum_lanes(ex);
     out.exchange_z[i] = 0.5 * f.volume[i] * sum_lanes(ez);
   }

@@ -59,12 +59,13 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), rho_i = splat(f.density[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
-      const v8d volume = state.a, du = motion.c - ui, dw = motion.d - wi;
+      const auto motion = gather(f.motion, j);
+      const auto state = gather(f.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.x, motion.z);
+      const v8d volume = state.volume, du = motion.u - ui, dw = motion.w - wi;
       add(c, m, g, volume, du, dw);
       add_fourth_moments(c, m, g, volume, du, dw);
-      const v8d drho = (state.b - rho_i) * (g.f * volume);
+      const v8d drho = (state.density - rho_i) * (g.f * volume);
       rho_x += drho * g.rx;
       rho_z += drho * g.rz;
     }
@@ -76,22 +77,23 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     const v8d lowest = splat(0.2 * c.smoothing_length);
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const FourLanes place = gather(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
+      const auto place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
       // No-slip: the particle's velocity relative to the wall goes on linearly below the surface
       // (Morris et al. 1997), so that the strain rate beside the wall is that of the slope between
       // wall and particle. Free slip shows no difference.
       v8d du = zero, dw = zero;
       if (c.no_slip) {
-        const FourLanes face = gather(a.wall.face, k);
-        const v8d depth = place.d;
-        const v8d height = g.rx * face.c + g.rz * face.d - depth;  // above the surface
+        const auto face = gather(a.wall.face, k);
+        const v8d depth = place.depth;
+        const v8d height =
+            g.rx * face.normal_x + g.rz * face.normal_z - depth;  // above the surface
         const v8d above = lowest + positive_part(height - lowest);
         const v8d ratio = (above + depth) / above;
-        du = (face.a - ui) * ratio;
-        dw = (face.b - wi) * ratio;
+        du = (face.u - ui) * ratio;
+        dw = (face.w - wi) * ratio;
       }
-      const v8d volume = place.c;
+      const v8d volume = place.volume;
       add(c, m, g, volume, du, dw);
       if (c.no_slip) add_fourth_moments(c, m, g, volume, du, dw);
     }

@@ -14,9 +14,10 @@ static void force(const FlowArrays& a, double* ax, double* az, int begin, int en
     const v8d own = splat(f.tic[i] * f.pressure[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
-      const v8d scale = (state.c + own) * (g.f * state.a);
+      const auto motion = gather(f.motion, j);
+      const auto state = gather(f.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.x, motion.z);
+      const v8d scale = (state.pressure + own) * (g.f * state.volume);
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
@@ -25,10 +26,10 @@ static void force(const FlowArrays& a, double* ax, double* az, int begin, int en
     const v8d at_wall = splat(own_value > 0.0 ? own_value : 0.0);
     for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const FourLanes place = gather(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
-      const v8d pressure = gather(a.wall.state, k).a;
-      const v8d scale = (pressure + at_wall) * (g.f * place.c);
+      const auto place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
+      const v8d pressure = gather(a.wall.state, k).pressure;
+      const v8d scale = (pressure + at_wall) * (g.f * place.volume);
       sx += scale * g.rx;
       sz += scale * g.rz;
     }

@@ -28,20 +28,39 @@ PARAPET_INLINE v8d gather(const double* values, const std::int32_t* index) {
              values[index[4]], values[index[5]], values[index[6]], values[index[7]]};
 }
 
+// The four values of eight records, by place and by name.
 struct FourLanes {
-  v8d a, b, c, d;  // the four values of eight records
+  v8d a, b, c, d;
 };
+template <class Record>
+struct Lanes;
+#define PARAPET_LANES(name, Type, a, b, c, d) \
+  template <>                                 \
+  struct Lanes<Type> {                        \
+    v8d a, b, c, d;                           \
+  };
+PARAPET_PARTICLE_RECORDS(PARAPET_LANES)
+PARAPET_WALL_RECORDS(PARAPET_LANES)
+PARAPET_LANES(state, WallState, pressure, fluid_u, fluid_w, unused)
+#undef PARAPET_LANES
 
 struct TwoLanes {
   v8d x, z;
 };
 
+// Records and pairs hold nothing but doubles.
+template <class Element>
+PARAPET_INLINE const double* values_of(const Element* elements, std::int32_t index) {
+  return reinterpret_cast<const double*>(elements + index);
+}
+
 #if defined(__AVX512F__)
 // Shuffles by the compiler: GCC 12 warns of its own 512-bit intrinsics (its bug 105593).
-PARAPET_INLINE FourLanes gather(const Record* records, const std::int32_t* index) {
+template <class Record>
+PARAPET_INLINE FourLanes gather_four(const Record* records, const std::int32_t* index) {
   const auto two = [&](int first, int second) {
-    const v4d low = (v4d)_mm256_load_pd(records[index[first]].value);
-    const v4d high = (v4d)_mm256_load_pd(records[index[second]].value);
+    const v4d low = (v4d)_mm256_load_pd(values_of(records, index[first]));
+    const v4d high = (v4d)_mm256_load_pd(values_of(records, index[second]));
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
   };
   const v8d p0 = two(0, 2), p1 = two(1, 3), p2 = two(4, 6), p3 = two(5, 7);
@@ -59,9 +78,7 @@ PARAPET_INLINE FourLanes gather(const Record* records, const std::int32_t* index
 template <class Element>
 PARAPET_INLINE TwoLanes gather_two(const Element* elements, const std::int32_t* index) {
   const auto four = [&](int first) {
-    const auto at = [&](int k) {
-      return _mm_load_pd(reinterpret_cast<const double*>(elements + index[first + k]));
-    };
+    const auto at = [&](int k) { return _mm_load_pd(values_of(elements, index[first + k])); };
     const v4d low = (v4d)_mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(2), 1);
     const v4d high = (v4d)_mm256_insertf128_pd(_mm256_castpd128_pd256(at(4)), at(6), 1);
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
@@ -79,10 +96,13 @@ PARAPET_INLINE v8d join(__m256d low, __m256d high) {
   return u.all;
 }
 
-PARAPET_INLINE FourLanes gather(const Record* records, const std::int32_t* index) {
+template <class Record>
+PARAPET_INLINE FourLanes gather_four(const Record* records, const std::int32_t* index) {
   __m256d a[2], b[2], c[2], d[2];
   for (int half = 0; half < 2; ++half) {
-    const auto record = [&](int k) { return _mm256_load_pd(records[index[4 * half + k]].value); };
+    const auto record = [&](int k) {
+      return _mm256_load_pd(values_of(records, index[4 * half + k]));
+    };
     const __m256d r0 = record(0), r1 = record(1), r2 = record(2), r3 = record(3);
     const __m256d ac0 = _mm256_unpacklo_pd(r0, r1), bd0 = _mm256_unpackhi_pd(r0, r1);
     const __m256d ac1 = _mm256_unpacklo_pd(r2, r3), bd1 = _mm256_unpackhi_pd(r2, r3);
@@ -100,7 +120,7 @@ PARAPET_INLINE TwoLanes gather_two(const Element* elements, const std::int32_t* 
   for (int half = 0; half < 2; ++half) {
     const auto two = [&](int first) {
       const auto at = [&](int k) {
-        return _mm_load_pd(reinterpret_cast<const double*>(elements + index[4 * half + first + k]));
+        return _mm_load_pd(values_of(elements, index[4 * half + first + k]));
       };
       return _mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(2), 1);
     };
@@ -111,10 +131,11 @@ PARAPET_INLINE TwoLanes gather_two(const Element* elements, const std::int32_t* 
   return {join(x[0], x[1]), join(z[0], z[1])};
 }
 #else
-PARAPET_INLINE FourLanes gather(const Record* records, const std::int32_t* index) {
+template <class Record>
+PARAPET_INLINE FourLanes gather_four(const Record* records, const std::int32_t* index) {
   FourLanes r;
   for (int l = 0; l < lanes; ++l) {
-    const double* value = records[index[l]].value;
+    const double* value = values_of(records, index[l]);
     r.a[l] = value[0];
     r.b[l] = value[1];
     r.c[l] = value[2];
@@ -127,13 +148,19 @@ template <class Element>
 PARAPET_INLINE TwoLanes gather_two(const Element* elements, const std::int32_t* index) {
   TwoLanes r;
   for (int l = 0; l < lanes; ++l) {
-    const double* value = reinterpret_cast<const double*>(elements + index[l]);
+    const double* value = values_of(elements, index[l]);
     r.x[l] = value[0];
     r.z[l] = value[1];
   }
   return r;
 }
 #endif
+
+template <class Record>
+PARAPET_INLINE Lanes<Record> gather(const Record* records, const std::int32_t* index) {
+  const FourLanes r = gather_four(records, index);
+  return {r.a, r.b, r.c, r.d};
+}
 
 PARAPET_INLINE v8d load(const double* values) {
   v8d v;

@@ -21,25 +21,28 @@ void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
   const FluidView& f = a.fluid;
   for (int i = begin; i < end; ++i) {
     v8d sx = splat(0.0), sz = sx;
-    const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), eta_i = splat(f.viscosity[i]);
+    const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), eta_i = splat(f.pair_viscosity[i]);
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
-      const v8d approach = (ui - motion.c) * g.rx + (wi - motion.d) * g.rz;
-      const v8d scale = mean(eta_i, state.d) * (g.f * state.a) * (approach / safe_r2(c, g.r2));
+      const auto motion = gather(f.motion, j);
+      const auto state = gather(f.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.x, motion.z);
+      const v8d approach = (ui - motion.u) * g.rx + (wi - motion.w) * g.rz;
+      const v8d scale =
+          mean(eta_i, state.pair_viscosity) * (g.f * state.volume) * (approach / safe_r2(c, g.r2));
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
     for (int s = a.rows.wall_begin[i]; c.no_slip && s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const FourLanes place = gather(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
-      const FourLanes face = gather(a.wall.face, k), state = gather(a.wall.state, k);
-      const v8d wall_u = splat(2.0) * face.a - state.b;
-      const v8d wall_w = splat(2.0) * face.b - state.c;
+      const auto place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
+      const auto face = gather(a.wall.face, k);
+      const auto state = gather(a.wall.state, k);
+      const v8d wall_u = splat(2.0) * face.u - state.fluid_u;
+      const v8d wall_w = splat(2.0) * face.w - state.fluid_w;
       const v8d approach = (ui - wall_u) * g.rx + (wi - wall_w) * g.rz;
-      const v8d scale = eta_i * (g.f * place.c) * (approach / safe_r2(c, g.r2));
+      const v8d scale = eta_i * (g.f * place.volume) * (approach / safe_r2(c, g.r2));
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
@@ -60,13 +63,15 @@ void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
   for (int i = begin; i < end; ++i) {
     const v8d zero = splat(0.0);
     v8d dxx = zero, dxz = zero, dzz = zero;
-    const v8d eta_i = splat(f.viscosity[i]);
+    const v8d eta_i = splat(f.pair_viscosity[i]);
     const double strength = alpha * v.dt * f.volume[i];
     for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
       const std::int32_t* j = a.rows.index + s;
-      const FourLanes motion = gather(f.motion, j), state = gather(f.state, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.a, motion.b);
-      const v8d weight = splat(strength) * mean(eta_i, state.d) * (-g.f * state.a);
+      const auto motion = gather(f.motion, j);
+      const auto state = gather(f.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.x, motion.z);
+      const v8d weight =
+          splat(strength) * mean(eta_i, state.pair_viscosity) * (-g.f * state.volume);
       const v8d b = sqrt_lanes(weight / safe_r2(c, g.r2));
       const v8d bx = b * g.rx, bz = b * g.rz;
       store(v.bx + s, bx);
@@ -78,12 +83,13 @@ void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
     v8d wxx = zero, wxz = zero, wzz = zero, rx = zero, rz = zero;
     for (int s = a.rows.wall_begin[i]; c.no_slip && s < a.rows.end[i]; s += lanes) {
       const std::int32_t* k = a.rows.index + s;
-      const FourLanes place = gather(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.a, place.b);
-      const v8d weight = splat(strength) * eta_i * (-g.f * place.c) / safe_r2(c, g.r2);
-      const FourLanes face = gather(a.wall.face, k), state = gather(a.wall.state, k);
-      const v8d mirror_u = splat(2.0) * face.a - state.b;
-      const v8d mirror_w = splat(2.0) * face.b - state.c;
+      const auto place = gather(a.wall.place, k);
+      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
+      const v8d weight = splat(strength) * eta_i * (-g.f * place.volume) / safe_r2(c, g.r2);
+      const auto face = gather(a.wall.face, k);
+      const auto state = gather(a.wall.state, k);
+      const v8d mirror_u = splat(2.0) * face.u - state.fluid_u;
+      const v8d mirror_w = splat(2.0) * face.w - state.fluid_w;
       // -w (u_i - mirror) = -w 2 u_i(new) + w (u_i(old) + mirror)
       const v8d lagged =
           weight * ((splat(f.u[i]) + mirror_u) * g.rx + (splat(f.w[i]) + mirror_w) * g.rz);

@@ -148,7 +148,7 @@ TEST_P(ThinPlate, NothingReachesThroughIt) {
       if (view.index[s] == static_cast<std::int32_t>(walls.size())) continue;
       const Face& face =
           setup.solids
-              .faces[static_cast<std::size_t>(walls.face[static_cast<std::size_t>(view.index[s])])];
+              .faces[static_cast<std::size_t>(walls.owner[static_cast<std::size_t>(view.index[s])])];
       if (face.barrier < 0 || face.normal.z > 0.5) continue;  // bed, crest
       EXPECT_EQ(left, face.normal.x < 0.0) << "a particle sees the far side's wall points";
     }

@@ -55,7 +55,7 @@ TEST(WallLayout, ThinPlatesCarryFullDepthForEitherSide) {
   // 4 mm plate at 10 mm spacing: three layers behind each long face all the same
   const WallPoints points = lay_out_walls(plate(0.1, 0.004), 0.01, 0.0266);
   int first_face = 0;
-  for (const int face : points.face) first_face += face == 0;
+  for (const int owner : points.owner) first_face += owner == 0;
   EXPECT_EQ(first_face, 3 * 10);
 }
 
