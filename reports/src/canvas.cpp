@@ -1,4 +1,4 @@
-#include "canvas.hpp"
+#include "parapet/reports/canvas.hpp"
 
 #include <cairo-svg.h>
 #include <cairo.h>

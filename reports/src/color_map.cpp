@@ -1,4 +1,4 @@
-#include "color_map.hpp"
+#include "parapet/reports/color_map.hpp"
 
 #include <algorithm>
 #include <array>

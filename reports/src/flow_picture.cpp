@@ -7,9 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "color_map.hpp"
 #include "flow_view.hpp"
-#include "plot_axes.hpp"
+#include "parapet/reports/color_map.hpp"
+#include "parapet/reports/plot_axes.hpp"
 
 namespace parapet::reports {
 namespace {

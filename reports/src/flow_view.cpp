@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "color_map.hpp"
-#include "plot_axes.hpp"
+#include "parapet/reports/color_map.hpp"
+#include "parapet/reports/plot_axes.hpp"
 
 namespace parapet::reports {
 namespace {

@@ -1,7 +1,7 @@
 /// One panel of a flow picture: where channel coordinates lie on the page, and the scene in it.
 #pragma once
 
-#include "canvas.hpp"
+#include "parapet/reports/canvas.hpp"
 #include "parapet/reports/flow_picture.hpp"
 #include "parapet/solver/scene.hpp"
 

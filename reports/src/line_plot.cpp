@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "color_map.hpp"
-#include "plot_axes.hpp"
+#include "parapet/reports/color_map.hpp"
+#include "parapet/reports/plot_axes.hpp"
 #include "plot_legend.hpp"
 
 namespace parapet::reports {

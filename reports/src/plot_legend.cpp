@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "color_map.hpp"
+#include "parapet/reports/color_map.hpp"
 
 namespace parapet::reports {
 namespace {

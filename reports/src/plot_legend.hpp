@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "canvas.hpp"
+#include "parapet/reports/canvas.hpp"
 #include "parapet/reports/line_plot.hpp"
 
 namespace parapet::reports {

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "canvas.hpp"
-#include "color_map.hpp"
-#include "plot_axes.hpp"
+#include "parapet/reports/canvas.hpp"
+#include "parapet/reports/color_map.hpp"
+#include "parapet/reports/plot_axes.hpp"
 
 namespace parapet::validation {
 

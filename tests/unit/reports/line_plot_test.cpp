@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "parapet/reports/plot_axes.hpp"
 #include "picture_pixels.hpp"
-#include "plot_axes.hpp"
 #include "scratch_folder.hpp"
 
 namespace parapet::reports {

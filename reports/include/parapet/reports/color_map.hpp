@@ -1,7 +1,7 @@
 /// A perceptually uniform colour scale.
 #pragma once
 
-#include "canvas.hpp"
+#include "parapet/reports/canvas.hpp"
 
 namespace parapet::reports {
 
