@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <set>
 #include <string_view>
 
 #include "parapet/records/atomic_file.hpp"
@@ -53,6 +54,33 @@ std::string evaluation_id(int number) {
   return fmt::format("{:04}", number);
 }
 
+LogContent read_evaluation_log(const std::filesystem::path& file) {
+  LogContent result;
+  std::set<std::string> ids;
+  const std::string content = read_file(file);
+  for (std::size_t line_number = 1; result.whole_bytes < content.size(); ++line_number) {
+    const std::size_t begin = result.whole_bytes, end = content.find('\n', begin);
+    const bool ended = end != std::string::npos;
+    const std::string_view line =
+        std::string_view(content).substr(begin, (ended ? end : content.size()) - begin);
+    const bool last = !ended || end + 1 == content.size();
+    EvaluationRecord record;
+    std::string problem = parse_line(line, record);
+    if (problem.empty() && !ids.insert(record.id).second) {
+      problem = "the id " + record.id + " stands in an earlier line too";
+    }
+    if (!problem.empty()) {
+      if (!last) throw_damaged(file, line_number, problem);
+      result.incomplete_last_line = true;
+      return result;
+    }
+    result.ends_with_line = ended;
+    result.whole_bytes += line.size() + (ended ? 1 : 0);
+    result.records.push_back(std::move(record));
+  }
+  return result;
+}
+
 EvaluationLog::EvaluationLog(std::filesystem::path file) : file_(std::move(file)) {
   const bool is_new = !std::filesystem::exists(file_);
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
@@ -74,32 +102,17 @@ EvaluationLog::~EvaluationLog() {
 }
 
 void EvaluationLog::read_and_repair() {
-  const std::string content = read_file(file_);
-  std::size_t begin = 0;
-  for (std::size_t line_number = 1; begin < content.size(); ++line_number) {
-    const std::size_t end = content.find('\n', begin);
-    const bool ended = end != std::string::npos;
-    const std::string_view line =
-        std::string_view(content).substr(begin, (ended ? end : content.size()) - begin);
-    const bool last = !ended || end + 1 == content.size();
-    EvaluationRecord record;
-    std::string problem = parse_line(line, record);
-    if (problem.empty() && by_id_.count(record.id) != 0) {
-      problem = "the id " + record.id + " stands in an earlier line too";
-    }
-    if (!problem.empty()) {
-      if (!last) throw_damaged(file_, line_number, problem);
-      set_damage_aside(content, begin);
-      return;
-    }
-    if (!ended) {  // complete but for its line end: nothing is lost
-      write_all(descriptor_, "\n", file_);
-      sync(descriptor_, file_);
-    }
+  LogContent content = read_evaluation_log(file_);
+  for (EvaluationRecord& record : content.records) {
     by_design_.emplace(std::pair(record.design, record.spacing), records_.size());
     by_id_.emplace(record.id, records_.size());
     records_.push_back(std::move(record));
-    begin += line.size() + 1;
+  }
+  if (content.incomplete_last_line) {
+    set_damage_aside(read_file(file_), content.whole_bytes);
+  } else if (!content.ends_with_line) {  // complete but for its line end: nothing is lost
+    write_all(descriptor_, "\n", file_);
+    sync(descriptor_, file_);
   }
 }
 

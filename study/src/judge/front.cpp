@@ -7,16 +7,13 @@
 #include "parapet/math/pareto.hpp"
 #include "parapet/study/design_run.hpp"
 #include "parapet/study/scoring.hpp"
+#include "to_objectives.hpp"
 
 namespace parapet::study {
 namespace {
 
 using math::Objectives;
 using records::EvaluationRecord;
-
-Objectives to_objectives(const std::vector<double>& values) {
-  return Eigen::Map<const Objectives>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 bool counts(const designs::StudySpec& study, const EvaluationRecord& record) {
   return record.ok && record.feasible && record.spacing == designs::finest_spacing(study) &&

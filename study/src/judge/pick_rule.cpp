@@ -76,6 +76,22 @@ RuleKind parse_kind(const std::string& rule, bool weights, bool limits) {
 
 }  // namespace
 
+std::string to_string(RuleKind kind) {
+  switch (kind) {
+    case RuleKind::automatic:
+      return "automatic";
+    case RuleKind::best:
+      return "best";
+    case RuleKind::knee:
+      return "knee";
+    case RuleKind::weights:
+      return "weights";
+    case RuleKind::limits:
+      break;
+  }
+  return "limits";
+}
+
 PickRule parse_pick_rule(const std::string& rule, const std::string& weights,
                          const std::vector<std::string>& limits) {
   PickRule result;

@@ -72,15 +72,15 @@ class Draws {
 };
 
 /// An index is a share: what its estimator has beyond 0 and 1 is sampling error.
-Json index_json(const surrogate::Interval& interval) {
+SobolIndex index_of(const surrogate::Interval& interval) {
   const auto share = [](double value) { return std::clamp(value, 0.0, 1.0); };
-  return {{"value", share(interval.value)},
-          {"lower_95", share(interval.lower)},
-          {"upper_95", share(interval.upper)}};
+  return {.value = share(interval.value),
+          .lower_95 = share(interval.lower),
+          .upper_95 = share(interval.upper)};
 }
 
-/// The place u of a variable as a value, or as an option's name.
-Json place_json(const designs::Variable& variable, double u) {
+/// The place u of a variable.
+VariablePlace place_of(const designs::Variable& variable, double u) {
   const double count = variable.upper - variable.lower + 1.0;
   const double step = std::min(std::floor(u * count), count - 1.0);
   if (variable.kind == designs::VariableKind::choice) {
@@ -91,24 +91,21 @@ Json place_json(const designs::Variable& variable, double u) {
 }
 
 /// Each option and whole number once.
-Json effect_json(const designs::Variable& variable, const surrogate::MainEffect& effect) {
-  Json json{{"at", Json::array()},
-            {"mean", Json::array()},
-            {"lower_95", Json::array()},
-            {"upper_95", Json::array()}};
+MainEffect effect_of(const designs::Variable& variable, const surrogate::MainEffect& effect) {
+  MainEffect result;
   for (std::size_t k = 0; k < effect.u.size(); ++k) {
-    const Json place = place_json(variable, effect.u[k]);
-    if (!json["at"].empty() && json["at"].back() == place) continue;
-    json["at"].push_back(place);
-    json["mean"].push_back(effect.effect[k].value);
-    json["lower_95"].push_back(effect.effect[k].lower);
-    json["upper_95"].push_back(effect.effect[k].upper);
+    VariablePlace place = place_of(variable, effect.u[k]);
+    if (!result.at.empty() && result.at.back() == place) continue;
+    result.at.push_back(std::move(place));
+    result.mean.push_back(effect.effect[k].value);
+    result.lower_95.push_back(effect.effect[k].lower);
+    result.upper_95.push_back(effect.effect[k].upper);
   }
-  return json;
+  return result;
 }
 
-Json variables_json(const designs::StudySpec& study, const Draws& draws,
-                    const SensitivityOptions& options, bool& varies) {
+std::vector<VariableSensitivity> variables_of(const designs::StudySpec& study, const Draws& draws,
+                                              const SensitivityOptions& options) {
   constexpr int fewest_places = 17;
   int places = fewest_places;  // every option and whole number must be met, where they are not many
   for (const designs::Variable& variable : study.variables) {
@@ -121,13 +118,12 @@ Json variables_json(const designs::StudySpec& study, const Draws& draws,
       draws, n,
       {.base_points = options.base_points, .bootstrap = options.bootstrap, .seed = options.seed});
   const auto effects = surrogate::main_effects(draws, n, places, 256, options.seed);
-  Json list = Json::array();
+  std::vector<VariableSensitivity> list;
   for (std::size_t i = 0; i < study.variables.size(); ++i) {
-    varies = varies || indices[i].total.value > 0.0;
-    list.push_back({{"name", study.variables[i].name},
-                    {"first", index_json(indices[i].first)},
-                    {"total", index_json(indices[i].total)},
-                    {"main_effect", effect_json(study.variables[i], effects[i])}});
+    list.push_back({.name = study.variables[i].name,
+                    .first = index_of(indices[i].first),
+                    .total = index_of(indices[i].total),
+                    .main_effect = effect_of(study.variables[i], effects[i])});
   }
   return list;
 }
@@ -141,26 +137,42 @@ std::string statistic_words(const designs::StudySpec& study, const Quantity& qua
                                                          : "quantile over the scenarios";
 }
 
+MetricSensitivity metric_sensitivity(const designs::StudySpec& study, const SearchProblem& problem,
+                                     std::size_t k, const surrogate::GaussianProcess& process,
+                                     const SensitivityOptions& options) {
+  const Draws draws(problem.problem.space, process, problem.problem.metrics[k], options);
+  const Quantity& quantity = problem.metrics[k].quantity;
+  MetricSensitivity result;
+  result.metric = quantity.metric;
+  result.statistic = statistic_words(study, quantity);
+  result.designs = static_cast<int>(process.data().values.size());
+  const double q_squared = process.leave_one_out().q_squared;
+  if (std::isfinite(q_squared)) result.q_squared = q_squared;
+  result.variables = variables_of(study, draws, options);
+  result.varies = std::ranges::any_of(
+      result.variables, [](const VariableSensitivity& one) { return one.total.value > 0.0; });
+  return result;
+}
+
 }  // namespace
 
-Json sensitivity_json(const designs::StudySpec& study, const Json& surrogates,
-                      const std::string& source, const SensitivityOptions& options) {
+Sensitivity study_sensitivity(const designs::StudySpec& study, const Json& surrogates,
+                              const std::string& source, const SensitivityOptions& options) {
   const SearchProblem problem = make_search_problem(study);
-  Json json{{"format", "parapet-sensitivity/1"},
-            {"name", study.name},
-            {"spec_hash", records::study_hash(study)},
-            {"source", source},
-            {"domain", "the box of the variables' bounds, uniform and independent"},
-            {"realisations", options.realisations},
-            {"base_points", options.base_points},
-            {"metrics", Json::array()}};
+  Sensitivity result{.study_name = study.name,
+                     .spec_hash = records::study_hash(study),
+                     .source = source,
+                     .domain = "the box of the variables' bounds, uniform and independent",
+                     .realisations = options.realisations,
+                     .base_points = options.base_points,
+                     .metrics = {}};
   const auto refuse = [&](const std::string& problem_words) {
     throw designs::InputError({{source, "/metrics", "", problem_words,
                                 "a parapet-surrogates/1 of this study, as parapet optimize writes "
                                 "it; without the file the surrogates are fitted again"}});
   };
   try {
-    if (surrogates.at("spec_hash") != records::study_hash(study) ||
+    if (surrogates.at("spec_hash") != result.spec_hash ||
         surrogates.at("metrics").size() != problem.metrics.size()) {
       refuse("the surrogates are those of another study");
     }
@@ -168,26 +180,16 @@ Json sensitivity_json(const designs::StudySpec& study, const Json& surrogates,
       const Json& stored = surrogates["metrics"][k];
       const auto process = stored_process(surrogates, stored);
       if (!process) continue;
-      const Draws draws(problem.problem.space, *process, problem.problem.metrics[k], options);
-      bool varies = false;
-      Json variables = variables_json(study, draws, options, varies);
-      Json one{{"name", stored.at("name")},
-               {"metric", problem.metrics[k].quantity.metric},
-               {"designs", process->data().values.size()},
-               {"q_squared", process->leave_one_out().q_squared},
-               {"varies", varies},
-               {"variables", std::move(variables)}};
-      const std::string words = statistic_words(study, problem.metrics[k].quantity);
-      if (!words.empty()) one["statistic"] = words;
-      if (!std::isfinite(one["q_squared"].get<double>())) one["q_squared"] = nullptr;
-      json["metrics"].push_back(std::move(one));
+      MetricSensitivity one = metric_sensitivity(study, problem, k, *process, options);
+      one.name = stored.at("name").get<std::string>();
+      result.metrics.push_back(std::move(one));
     }
   } catch (const Json::exception& error) {
     refuse(error.what());
   } catch (const std::invalid_argument& error) {
     refuse(error.what());
   }
-  return json;
+  return result;
 }
 
 }  // namespace parapet::study

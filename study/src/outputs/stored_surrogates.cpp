@@ -1,6 +1,5 @@
 #include "stored_surrogates.hpp"
 
-#include <sstream>
 #include <stdexcept>
 
 #include "parapet/records/atomic_file.hpp"
@@ -59,28 +58,13 @@ surrogate::Parameters parameters_of(const Json& json) {
   return parameters;
 }
 
-/// The log's records. It may be written to at this moment, so it is not opened as a log is; what is
-/// not whole is passed over.
-std::vector<records::EvaluationRecord> whole_records(const std::filesystem::path& file) {
-  std::vector<records::EvaluationRecord> records;
-  std::istringstream lines(records::read_file(file));
-  for (std::string line; std::getline(lines, line);) {
-    try {
-      records.push_back(records::record_from_json(Json::parse(line)));
-    } catch (const std::exception&) {
-      continue;  // reports::recommend says what is wrong with it
-    }
-  }
-  return records;
-}
-
 /// Fits surrogates to what is logged; null when that is too little.
 Json fitted_surrogates(const designs::StudySpec& study, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return nullptr;
   const SearchProblem problem = make_search_problem(study);
   bayesian::Search search(problem.problem, make_search_options(study));
   int good = 0;
-  for (const records::EvaluationRecord& record : whole_records(file)) {
+  for (const records::EvaluationRecord& record : records::read_evaluation_log(file).records) {
     const std::optional<int> level = level_of(problem, record.spacing);
     if (!level || !designs::check_design(study, record.design, "").empty()) continue;
     search.tell_external(to_point(study, record.design), *level,

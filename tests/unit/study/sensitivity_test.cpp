@@ -32,25 +32,27 @@ void write_log(const designs::StudySpec& study, const std::filesystem::path& fol
 
 class Sensitivity : public FolderTest {
  protected:
-  Json computed(const designs::StudySpec& study) {
+  study::Sensitivity computed(const designs::StudySpec& study) {
     const Json surrogates = study::study_surrogates(study, folder, source);
-    return study::sensitivity_json(study, surrogates, source);
+    return study::study_sensitivity(study, surrogates, source);
   }
 
-  static const Json& metric(const Json& sensitivity, const std::string& key) {
-    for (const Json& one : sensitivity["metrics"]) {
-      if (one["metric"] == key) return one;
+  static const study::MetricSensitivity& metric(const study::Sensitivity& sensitivity,
+                                                const std::string& key) {
+    for (const study::MetricSensitivity& one : sensitivity.metrics) {
+      if (one.metric == key) return one;
     }
     throw std::runtime_error("no " + key);
   }
 
-  static void expect_index(const Json& metric, int variable, double first, double total,
-                           double tolerance) {
-    const Json& one = metric["variables"][static_cast<std::size_t>(variable)];
-    EXPECT_NEAR(one["first"]["value"].get<double>(), first, tolerance) << one["name"];
-    EXPECT_NEAR(one["total"]["value"].get<double>(), total, tolerance) << one["name"];
-    EXPECT_LE(one["first"]["lower_95"], one["first"]["value"]);
-    EXPECT_GE(one["total"]["upper_95"], one["total"]["value"]);
+  static void expect_index(const study::MetricSensitivity& metric, int variable, double first,
+                           double total, double tolerance) {
+    const study::VariableSensitivity& one =
+        metric.variables.at(static_cast<std::size_t>(variable));
+    EXPECT_NEAR(one.first.value, first, tolerance) << one.name;
+    EXPECT_NEAR(one.total.value, total, tolerance) << one.name;
+    EXPECT_LE(one.first.lower_95, one.first.value);
+    EXPECT_GE(one.total.upper_95, one.total.value);
   }
 
   std::string source;
@@ -68,23 +70,23 @@ TEST_F(Sensitivity, RecoversAVariableThatExistsUnderOneOption) {
         return 0.5 * scaled_height(design) + (has_plate(design) ? 0.2 : 0.0);
       });
   write_log(study, folder, simulator, 48);
-  const Json json = computed(study);
+  const study::Sensitivity sensitivity = computed(study);
   EXPECT_EQ(source, "evaluations.jsonl");
   // Measured: less than 0.01 off. Limit 0.03: what 1024 points and the surrogate of 48 designs
   // may scatter to elsewhere.
-  const Json& retention = metric(json, "retention_efficiency");
+  const study::MetricSensitivity& retention = metric(sensitivity, "retention_efficiency");
   expect_index(retention, 0, 0.0, 0.0, 0.03);
   expect_index(retention, 1, 0.6, 0.8, 0.03);
   expect_index(retention, 2, 0.2, 0.4, 0.03);
   const double h = 1.0 / 48.0, b = 1.0 / 100.0;
-  const Json& launch = metric(json, "launch_length_m");
+  const study::MetricSensitivity& launch = metric(sensitivity, "launch_length_m");
   expect_index(launch, 0, h / (h + b), h / (h + b), 0.03);
   expect_index(launch, 1, b / (h + b), b / (h + b), 0.03);
   expect_index(launch, 2, 0.0, 0.0, 0.03);
   // The main effect of the choice has its options' names and their difference.
-  const Json& effect = launch["variables"][1]["main_effect"];
-  EXPECT_EQ(effect["at"], Json({"none", "plate"}));
-  EXPECT_NEAR(effect["mean"][1].get<double>() - effect["mean"][0].get<double>(), 0.2, 0.02);
+  const study::MainEffect& effect = launch.variables[1].main_effect;
+  EXPECT_EQ(effect.at, (std::vector<study::VariablePlace>{"none", "plate"}));
+  EXPECT_NEAR(effect.mean[1] - effect.mean[0], 0.2, 0.02);
 }
 
 TEST_F(Sensitivity, StoredSurrogatesGiveTheSameAsFreshOnes) {
@@ -92,12 +94,19 @@ TEST_F(Sensitivity, StoredSurrogatesGiveTheSameAsFreshOnes) {
   const FormulaSimulator simulator([](const Design& design) { return 0.9 * scaled_height(design); },
                                    scaled_angle);
   write_log(study, folder, simulator, 16);
-  const Json fresh = computed(study);
+  const study::Sensitivity fresh = computed(study);
   std::ofstream(folder / "surrogates.json") << study::study_surrogates(study, folder, source);
   std::filesystem::remove(folder / "evaluations.jsonl");
-  const Json stored = computed(study);
+  const study::Sensitivity stored = computed(study);
   EXPECT_EQ(source, "surrogates.json");
-  EXPECT_EQ(stored["metrics"].dump(), fresh["metrics"].dump()) << "numbers keep every bit";
+  EXPECT_EQ(to_json(stored)["metrics"].dump(), to_json(fresh)["metrics"].dump())
+      << "numbers keep every bit";
+  const std::string written = to_json(stored).dump();
+  std::ofstream(folder / "sensitivity.json") << written;
+  const auto again = study::read_sensitivity(folder / "sensitivity.json", stored.spec_hash);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(to_json(*again).dump(), written) << "it is read as it was written";
+  EXPECT_FALSE(study::read_sensitivity(folder / "sensitivity.json", "another study").has_value());
 }
 
 TEST_F(Sensitivity, SurrogatesOfAnotherStudyAreFittedAgain) {
@@ -105,7 +114,7 @@ TEST_F(Sensitivity, SurrogatesOfAnotherStudyAreFittedAgain) {
   std::ofstream(folder / "surrogates.json")
       << R"({"format": "parapet-surrogates/1", "spec_hash": "0000000000000000"})";
   EXPECT_TRUE(study::study_surrogates(study, folder, source).is_null()) << "there is no log";
-  EXPECT_THROW(study::sensitivity_json(study, Json::object(), "surrogates.json"),
+  EXPECT_THROW(study::study_sensitivity(study, Json::object(), "surrogates.json"),
                designs::InputError);
 }
 

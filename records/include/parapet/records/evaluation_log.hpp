@@ -1,6 +1,7 @@
 /// evaluations.jsonl: one line per evaluated design, on disk before anybody learns the value.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -72,6 +73,19 @@ designs::Json to_json(const EvaluationRecord& record);
 /// @throws std::runtime_error or nlohmann::json::exception saying what is wrong with the record.
 EvaluationRecord record_from_json(const designs::Json& json);
 ScenarioRecord scenario_from_json(const designs::Json& json);
+
+/// What a log holds.
+struct LogContent {
+  std::vector<EvaluationRecord> records;
+  bool incomplete_last_line = false;  ///< it is half written and not among the records
+  bool ends_with_line = true;         ///< the last record has its line end
+  std::size_t whole_bytes = 0;        ///< of the file, up to the end of the last record
+};
+
+/// Reads a log that another process may be writing to; changes nothing.
+/// @throws designs::InputError naming the line when one before the last is damaged.
+/// @throws FileError
+LogContent read_evaluation_log(const std::filesystem::path& file);
 
 /// The log of a study, open for appending. One writer at a time (see FolderLock).
 class EvaluationLog {

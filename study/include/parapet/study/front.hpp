@@ -8,15 +8,9 @@
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/study/bayesian_problem.hpp"
+#include "parapet/study/stored_front.hpp"
 
 namespace parapet::study {
-
-/// How much of the objectives' space was dominated after an evaluation.
-struct FrontEntry {
-  int evaluations = 0;
-  double cpu_time = 0.0;  ///< of these evaluations [s]
-  double hypervolume = 0.0;
-};
 
 /// The Pareto set of what was evaluated: designs at the finest spacing that meet every constraint
 /// and that no other such design betters in every objective. With one objective it is the best.

@@ -19,6 +19,9 @@ enum class RuleKind {
   limits      ///< best first objective among the designs that meet limits on objectives
 };
 
+/// A rule's name on the command line.
+std::string to_string(RuleKind kind);
+
 /// A limit that an objective must meet, in its own unit.
 struct ObjectiveLimit {
   std::string objective;

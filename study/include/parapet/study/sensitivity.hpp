@@ -6,6 +6,7 @@
 #include <string>
 
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/study/sensitivity_file.hpp"
 
 namespace parapet::study {
 
@@ -24,8 +25,7 @@ struct SensitivityOptions {
 designs::Json study_surrogates(const designs::StudySpec& study, const std::filesystem::path& folder,
                                std::string& source);
 
-/// The content of sensitivity.json, format "parapet-sensitivity/1": for each modelled metric the
-/// Sobol' indices and the main effect of each variable, with 95 % intervals, over the whole box of
+/// For each modelled metric the Sobol' indices and the main effect of each variable, with 95 % intervals, over the whole box of
 /// the variables' bounds (designs that a formula forbids included). Coordinates of variables that
 /// do not exist under an option are drawn but have no effect there; each integer and option has an
 /// equal share. Formulas of the design are left out: they are known.
@@ -35,7 +35,7 @@ designs::Json study_surrogates(const designs::StudySpec& study, const std::files
 /// values.
 /// @param surrogates format "parapet-surrogates/1"
 /// @throws designs::InputError when that is damaged or not of this study
-designs::Json sensitivity_json(const designs::StudySpec& study, const designs::Json& surrogates,
-                               const std::string& source, const SensitivityOptions& options = {});
+Sensitivity study_sensitivity(const designs::StudySpec& study, const designs::Json& surrogates,
+                              const std::string& source, const SensitivityOptions& options = {});
 
 }  // namespace parapet::study

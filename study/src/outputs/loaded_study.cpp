@@ -1,0 +1,140 @@
+#include "parapet/study/loaded_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "companion_file.hpp"
+#include "parapet/study/scoring.hpp"
+
+namespace parapet::study {
+namespace {
+
+using designs::InputError;
+using designs::Json;
+using records::EvaluationRecord;
+
+constexpr const char* state_format = "parapet-study-state/1";
+
+Json read_state(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) {
+    throw InputError({{.file = file.string(),
+                       .pointer = "",
+                       .value = "",
+                       .problem = "the file is missing",
+                       .allowed = "a study folder, as `parapet optimize` writes it"}});
+  }
+  Json state = designs::read_json(file);
+  const Json format = state.is_object() ? state.value("format", Json()) : Json();
+  if (format != state_format) {
+    throw InputError({{.file = file.string(),
+                       .pointer = "/format",
+                       .value = format.is_null() ? "" : format.dump(),
+                       .problem = "this is not a study's state",
+                       .allowed = fmt::format("\"{}\"", state_format)}});
+  }
+  return state;
+}
+
+/// "running", "done" ...; empty when it is not known.
+std::string read_run_state(const std::filesystem::path& file) {
+  const Json summary = read_quietly(file);
+  return summary.is_null() ? "" : summary.value("state", "");
+}
+
+/// What does not fit the spec; empty when all does. A failed design has no objectives.
+std::string misfit(const designs::StudySpec& spec, const EvaluationRecord& record) {
+  for (const designs::Variable& variable : spec.variables) {
+    if (!record.design.contains(variable.name) && !variable.active_when) {
+      return "there is no " + variable.name;
+    }
+  }
+  if (!record.ok) return "";
+  const auto same = [](const designs::Objective& stated, const records::ObjectiveRecord& one) {
+    return objective_name(stated) == one.metric;
+  };
+  if (!std::ranges::equal(spec.objectives, record.objectives, same)) {
+    return "its objectives are not those of the spec";
+  }
+  const bool same_constraints = std::ranges::equal(
+      spec.constraints, record.constraints, {}, &designs::Constraint::name,
+      &records::ConstraintRecord::name);
+  return same_constraints ? "" : "its constraints are not those of the spec";
+}
+
+void read_designs(LoadedStudy& study) {
+  const std::filesystem::path file = study.folder / "evaluations.jsonl";
+  const auto refuse = [&](const std::string& value, const std::string& problem,
+                          const std::string& allowed) {
+    throw InputError({{file.string(), "", value, problem, allowed}});
+  };
+  if (!std::filesystem::exists(file)) {
+    refuse("", "the file is missing", "the log of a study that has started");
+  }
+  records::LogContent content = records::read_evaluation_log(file);
+  study.designs = std::move(content.records);
+  study.log_complete = !content.incomplete_last_line;
+  if (study.designs.empty()) {
+    refuse("", "no design has been evaluated yet", "at least one complete line");
+  }
+  for (const EvaluationRecord& record : study.designs) {
+    const std::string problem = misfit(study.spec, record);
+    if (!problem.empty()) refuse("design " + record.id, problem, "designs of study.json's spec");
+  }
+}
+
+/// Of designs with an estimate for each objective.
+std::optional<StoredFront> read_front(const LoadedStudy& study) {
+  auto front = read_stored_front(study.folder / "pareto.json", study.spec_hash);
+  const auto fits = [&](const DesignEstimates& one) {
+    return one.objectives.size() == study.spec.objectives.size();
+  };
+  return front && std::ranges::all_of(front->designs, fits) ? front : std::nullopt;
+}
+
+/// The base event's simulation stands in evaluations/ID.json, a scenario's in
+/// evaluations/ID-SCENARIO.json.
+std::set<std::string> unsettled_designs(const std::filesystem::path& folder) {
+  std::set<std::string> ids;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".json") continue;
+    const Json report = read_quietly(entry.path());
+    for (const char* place : {"/simulation/stop_reason", "/details/simulation/stop_reason"}) {
+      const Json::json_pointer pointer(place);
+      if (!report.is_null() && report.contains(pointer) && report.at(pointer) == "end_time") {
+        ids.insert(name.substr(0, name.find('-')));
+      }
+    }
+  }
+  return ids;
+}
+
+}  // namespace
+
+std::vector<EvaluationRecord> load_confirmations(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "confirmations.jsonl";
+  if (!std::filesystem::exists(file)) return {};
+  return records::read_evaluation_log(file).records;
+}
+
+LoadedStudy load_study_folder(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "study.json";
+  const Json state = read_state(file);
+  LoadedStudy study{
+      .folder = folder,
+      .spec = designs::parse_study(state.value("spec", Json()), file.string() + " /spec"),
+      .spec_hash = state.value("spec_hash", ""),
+      .provenance = state.value("provenance", Json()),
+      .state = read_run_state(folder / "summary.json"),
+      .designs = {}};
+  read_designs(study);
+  study.confirmations = load_confirmations(folder);
+  study.front = read_front(study);
+  study.sensitivity = read_sensitivity(folder / "sensitivity.json", study.spec_hash);
+  study.unsettled = unsettled_designs(folder / "evaluations");
+  return study;
+}
+
+}  // namespace parapet::study
