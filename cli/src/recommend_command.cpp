@@ -49,7 +49,7 @@ void write_sensitivity(const Session& session, const designs::StudySpec& study,
     session.log->info("too few designs for surrogates: no sensitivities");
     return;
   }
-  const designs::Json json = study::sensitivity_json(study, surrogates, source);
+  const designs::Json json = to_json(study::study_sensitivity(study, surrogates, source));
   records::write_file_atomically(folder / "sensitivity.json", records::json_text(json));
 }
 

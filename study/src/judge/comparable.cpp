@@ -52,9 +52,8 @@ double violation(const designs::StudySpec& study, const EvaluationRecord& record
   double sum = 0.0;
   for (const ConstraintRecord& constraint : record.constraints) {
     if (constraint.satisfied) continue;
-    sum += constraint.margin
-               ? std::max(0.0, -*constraint.margin) / scale_of(study, constraint)
-               : 1.0;
+    sum +=
+        constraint.margin ? std::max(0.0, -*constraint.margin) / scale_of(study, constraint) : 1.0;
   }
   return sum;
 }

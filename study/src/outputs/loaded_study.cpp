@@ -56,9 +56,9 @@ std::string misfit(const designs::StudySpec& spec, const EvaluationRecord& recor
   if (!std::ranges::equal(spec.objectives, record.objectives, same)) {
     return "its objectives are not those of the spec";
   }
-  const bool same_constraints = std::ranges::equal(
-      spec.constraints, record.constraints, {}, &designs::Constraint::name,
-      &records::ConstraintRecord::name);
+  const bool same_constraints =
+      std::ranges::equal(spec.constraints, record.constraints, {}, &designs::Constraint::name,
+                         &records::ConstraintRecord::name);
   return same_constraints ? "" : "its constraints are not those of the spec";
 }
 

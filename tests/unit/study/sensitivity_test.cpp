@@ -47,8 +47,7 @@ class Sensitivity : public FolderTest {
 
   static void expect_index(const study::MetricSensitivity& metric, int variable, double first,
                            double total, double tolerance) {
-    const study::VariableSensitivity& one =
-        metric.variables.at(static_cast<std::size_t>(variable));
+    const study::VariableSensitivity& one = metric.variables.at(static_cast<std::size_t>(variable));
     EXPECT_NEAR(one.first.value, first, tolerance) << one.name;
     EXPECT_NEAR(one.total.value, total, tolerance) << one.name;
     EXPECT_LE(one.first.lower_95, one.first.value);

@@ -19,9 +19,9 @@ constexpr double least_probability = 0.5;
 /// A comparable design that meets every constraint as observed. Points into the study.
 struct Candidate {
   const records::EvaluationRecord* design = nullptr;
-  std::vector<double> values = {};             ///< [n_objectives], to be minimised
-  const DesignEstimates* estimates = nullptr;  ///< by the surrogate; null when there are none
-  double score = 0.0;                          ///< by the rule; less is better
+  std::vector<double> values = {};                ///< [n_objectives], to be minimised
+  const DesignEstimates* estimates = nullptr;     ///< by the surrogate; null when there are none
+  double score = 0.0;                             ///< by the rule; less is better
   std::optional<double> probability_limits = {};  ///< rule limits: that it meets them
   bool within_limits = true;                      ///< rule limits: as observed
 
@@ -53,8 +53,8 @@ std::optional<double> probability_within(const Estimate& estimate, const Objecti
 
 /// What confirmations.jsonl says of the designs that a rule ranks first.
 struct ConfirmedPick {
-  const Candidate* pick = nullptr;   ///< null when nothing is ranked
-  Verdict verdict = Verdict::none;   ///< of the pick
+  const Candidate* pick = nullptr;             ///< null when nothing is ranked
+  Verdict verdict = Verdict::none;             ///< of the pick
   std::vector<const Candidate*> refuted = {};  ///< that the rule prefers, in its order
 };
 

@@ -22,13 +22,15 @@ struct SensitivityOptions {
 /// study, else fitted to the log. Null when neither can be: too few designs (fewer than five) ended
 /// well, or the log is missing. Nothing is written.
 /// @param source set to "surrogates.json" or "evaluations.jsonl"
+/// @throws designs::InputError for a log that is damaged before its last line
 designs::Json study_surrogates(const designs::StudySpec& study, const std::filesystem::path& folder,
                                std::string& source);
 
-/// For each modelled metric the Sobol' indices and the main effect of each variable, with 95 % intervals, over the whole box of
-/// the variables' bounds (designs that a formula forbids included). Coordinates of variables that
-/// do not exist under an option are drawn but have no effect there; each integer and option has an
-/// equal share. Formulas of the design are left out: they are known.
+/// For each modelled metric the Sobol' indices and the main effect of each variable, with 95 %
+/// intervals, over the whole box of the variables' bounds (designs that a formula forbids
+/// included). Coordinates of variables that do not exist under an option are drawn but have no
+/// effect there; each integer and option has an equal share. Formulas of the design are left out:
+/// they are known.
 ///
 /// Draws of the posterior at `anchors` Sobol' points stand for realisations; elsewhere a
 /// realisation is the surrogate's mean given its draw. Metrics are clipped to their possible

@@ -38,8 +38,8 @@ struct VariableSensitivity {
 struct MetricSensitivity {
   std::string name;    ///< of the modelled quantity, for example "launch_length_m (highest value)"
   std::string metric;  ///< its metric
-  std::string statistic;            ///< over the scenarios, in words; empty where there is one event
-  int designs = 0;                  ///< that the surrogate has seen
+  std::string statistic;  ///< over the scenarios, in words; empty where there is one event
+  int designs = 0;        ///< that the surrogate has seen
   std::optional<double> q_squared;  ///< of the surrogate, leave-one-out
   bool varies = false;              ///< over the box at all
   std::vector<VariableSensitivity> variables;

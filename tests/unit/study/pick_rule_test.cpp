@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-namespace parapet::reports {
+namespace parapet::study {
 namespace {
 
 std::string refusal(const std::string& rule, const std::string& weights,
                     const std::vector<std::string>& limits) {
   try {
-    study::parse_pick_rule(rule, weights, limits);
+    parse_pick_rule(rule, weights, limits);
   } catch (const designs::InputError& error) {
     return error.what();
   }
@@ -16,27 +16,27 @@ std::string refusal(const std::string& rule, const std::string& weights,
 }
 
 TEST(PickRule, ReadsWeightsAndLimits) {
-  const study::PickRule weights =
-      study::parse_pick_rule("weights", "retention_efficiency=2,launch_length_m=0.5", {});
-  EXPECT_EQ(weights.kind, study::RuleKind::weights);
+  const PickRule weights =
+      parse_pick_rule("weights", "retention_efficiency=2,launch_length_m=0.5", {});
+  EXPECT_EQ(weights.kind, RuleKind::weights);
   EXPECT_EQ(weights.weights.at("retention_efficiency"), 2.0);
   EXPECT_EQ(weights.weights.at("launch_length_m"), 0.5);
-  const study::PickRule limits =
-      study::parse_pick_rule("", "", {"launch_length_m<=0.1", "retention_efficiency>=1e-1"});
-  EXPECT_EQ(limits.kind, study::RuleKind::limits) << "limits alone say which rule";
+  const PickRule limits =
+      parse_pick_rule("", "", {"launch_length_m<=0.1", "retention_efficiency>=1e-1"});
+  EXPECT_EQ(limits.kind, RuleKind::limits) << "limits alone say which rule";
   EXPECT_EQ(limits.limits[0].objective, "launch_length_m");
   EXPECT_EQ(limits.limits[0].upper, 0.1);
   EXPECT_FALSE(limits.limits[0].lower);
   EXPECT_EQ(limits.limits[1].lower, 0.1);
-  EXPECT_EQ(study::parse_pick_rule("", "", {}).kind, study::RuleKind::automatic);
+  EXPECT_EQ(parse_pick_rule("", "", {}).kind, RuleKind::automatic);
 }
 
 TEST(PickRule, IsWrittenAsItIsRead) {
-  EXPECT_EQ(study::command_line(study::parse_pick_rule("", "", {})), "");
-  EXPECT_EQ(study::command_line(study::parse_pick_rule("knee", "", {})), " --rule knee");
-  EXPECT_EQ(study::command_line(study::parse_pick_rule("", "b=1,a=0.5", {})),
+  EXPECT_EQ(command_line(parse_pick_rule("", "", {})), "");
+  EXPECT_EQ(command_line(parse_pick_rule("knee", "", {})), " --rule knee");
+  EXPECT_EQ(command_line(parse_pick_rule("", "b=1,a=0.5", {})),
             " --rule weights --weights a=0.5,b=1");
-  EXPECT_EQ(study::command_line(study::parse_pick_rule("", "", {"a<=0.1", "b>=2"})),
+  EXPECT_EQ(command_line(parse_pick_rule("", "", {"a<=0.1", "b>=2"})),
             " --rule limits --limit \"a<=0.1\" --limit \"b>=2\"");
 }
 
@@ -58,4 +58,4 @@ TEST(PickRule, NamesTheOptionThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace parapet::reports
+}  // namespace parapet::study

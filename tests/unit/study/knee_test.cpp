@@ -1,21 +1,15 @@
-#include "front.hpp"
+#include "parapet/study/knee.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace parapet::reports {
+namespace parapet::study {
 namespace {
 
-using Points = std::vector<ObjectiveValues>;
+using Points = std::vector<std::vector<double>>;
 
-TEST(Front, KeepsWhatNothingDominates) {
-  const Points points{{3, 1}, {1, 3}, {2, 2}, {2, 3}, {3, 3}, {2, 2}};
-  EXPECT_EQ(undominated(points), (std::vector<std::size_t>{0, 1, 2}))
-      << "of equal points the first";
-}
-
-TEST(Front, KneeOfAQuarterCircleIsItsMiddle) {
+TEST(Knee, KneeOfAQuarterCircleIsItsMiddle) {
   // (1 - cos t, 1 - sin t) bulges towards the ideal by (cos t + sin t - 1) / sqrt 2 from the line
   // through its ends: sqrt 2 - 1 over sqrt 2 at 45 degrees. The second objective's unit is another.
   Points points;
@@ -34,7 +28,7 @@ TEST(Front, KneeOfAQuarterCircleIsItsMiddle) {
   }
 }
 
-TEST(Front, PlaneGoesThroughTheEndsOfThreeObjectives) {
+TEST(Knee, PlaneGoesThroughTheEndsOfThreeObjectives) {
   // Ends at the unit vectors and one point inside: (1 - 0.6) / sqrt 3 from x + y + z = 1.
   const Points points{{0, 1, 1}, {1, 0, 1}, {1, 1, 0}, {0.2, 0.2, 0.2}};
   const Knee knee = knee_of(points);
@@ -44,7 +38,7 @@ TEST(Front, PlaneGoesThroughTheEndsOfThreeObjectives) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(knee.distance[k], 0.0, 1e-12);
 }
 
-TEST(Front, EndsThatSpanNoPlaneAreSaid) {
+TEST(Knee, EndsThatSpanNoPlaneAreSaid) {
   // One design is best in two of three objectives.
   const Points points{{0, 0, 1}, {1, 1, 0}, {0.5, 0.5, 0.2}};
   const Knee knee = knee_of(points);
@@ -53,11 +47,11 @@ TEST(Front, EndsThatSpanNoPlaneAreSaid) {
   EXPECT_NEAR(knee.distance[2], 1.0 - 0.5, 1e-12) << "its worst objective is half way";
 }
 
-TEST(Front, OnePointIsItsOwnKnee) {
+TEST(Knee, OnePointIsItsOwnKnee) {
   const Knee knee = knee_of({{2.0, 5.0}});
   EXPECT_TRUE(std::isfinite(knee.distance[0]));
   EXPECT_EQ(knee.ends, (std::vector<std::size_t>{0, 0}));
 }
 
 }  // namespace
-}  // namespace parapet::reports
+}  // namespace parapet::study
