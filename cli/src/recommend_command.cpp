@@ -8,8 +8,11 @@
 #include "interrupt.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/result_json.hpp"
-#include "parapet/reports/recommendation.hpp"
+#include "parapet/reports/recommendation_json.hpp"
+#include "parapet/reports/recommendation_text.hpp"
+#include "parapet/reports/study_plots.hpp"
 #include "parapet/study/confirm.hpp"
+#include "parapet/study/pick.hpp"
 #include "parapet/study/sensitivity.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
@@ -26,35 +29,21 @@ struct RecommendOptions : CommonOptions {
   int repeats = 2;
 };
 
-/// The spec that the folder's study.json holds; empty, with a warning, when this program cannot
-/// read it: then there is advice from the log alone.
-std::optional<designs::StudySpec> stored_study(const Session& session,
-                                               const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / "study.json";
-  const designs::Json state = designs::read_json(file);
-  try {
-    return designs::parse_study(state.value("spec", designs::Json()), file.string() + " /spec");
-  } catch (const designs::InputError& error) {
-    session.log->warn("nothing is simulated again and no sensitivities are computed: {}",
-                      error.what());
-    return std::nullopt;
-  }
-}
-
-void write_sensitivity(const Session& session, const designs::StudySpec& study,
-                       const std::filesystem::path& folder) {
+/// Writes sensitivity.json and takes it into the study.
+void add_sensitivity(const Session& session, study::LoadedStudy& study) {
   std::string source;
-  const designs::Json surrogates = study::study_surrogates(study, folder, source);
+  const designs::Json surrogates = study::study_surrogates(study.spec, study.folder, source);
   if (surrogates.is_null()) {
     session.log->info("too few designs for surrogates: no sensitivities");
     return;
   }
-  const designs::Json json = to_json(study::study_sensitivity(study, surrogates, source));
-  records::write_file_atomically(folder / "sensitivity.json", records::json_text(json));
+  study.sensitivity = study::study_sensitivity(study.spec, surrogates, source);
+  records::write_file_atomically(study.folder / "sensitivity.json",
+                                 records::json_text(to_json(*study.sensitivity)));
 }
 
 study::ConfirmOutcome confirm(const Session& session, const RecommendOptions& options,
-                              const designs::StudySpec& study, const study::PickRule& rule) {
+                              const study::LoadedStudy& study, const study::PickRule& rule) {
   std::optional<RunMonitor> monitor;
   study::ConfirmOptions confirm;
   confirm.folder = options.folder;
@@ -77,13 +66,12 @@ study::ConfirmOutcome confirm(const Session& session, const RecommendOptions& op
   confirm.hooks.on_evaluated = [&](const records::EvaluationRecord& record, bool from_log) {
     monitor->ended(record.id, from_log);
   };
-  const auto picks = reports::ranked_picks(options.folder, rule);
-  return study::confirm_picks(study, picks, confirm);
+  return study::confirm_picks(study.spec, study::ranked_picks(study, rule), confirm);
 }
 
 /// False when it was interrupted.
 bool confirm_and_say(const Session& session, const RecommendOptions& options,
-                     const designs::StudySpec& study, const study::PickRule& rule) {
+                     const study::LoadedStudy& study, const study::PickRule& rule) {
   const study::ConfirmOutcome outcome = confirm(session, options, study, rule);
   if (outcome.cancelled) {
     session.log->error(
@@ -104,23 +92,24 @@ int recommend_command(const Session& session, const RecommendOptions& options) {
   const std::filesystem::path& folder = options.folder;
   const study::PickRule rule =
       study::parse_pick_rule(options.rule, options.weights, options.limits);
-  reports::ranked_picks(folder, rule);  // what is wrong with the study or the rule is said first
-  if (const auto study = stored_study(session, folder)) {
-    if (!options.no_confirm && !confirm_and_say(session, options, *study, rule)) {
-      return exit_interrupted;
-    }
-    write_sensitivity(session, *study, folder);
+  study::LoadedStudy study = study::load_study_folder(folder);
+  study::ranked_picks(study, rule);  // what is wrong with the rule is said first
+  if (!options.no_confirm) {
+    if (!confirm_and_say(session, options, study, rule)) return exit_interrupted;
+    study.confirmations = study::load_confirmations(folder);
   }
-  const reports::Recommendation recommendation = reports::recommend(folder, rule);
+  add_sensitivity(session, study);
+  const reports::Recommendation recommendation = reports::recommend(study, rule);
+  const std::string text = reports::recommendation_text(recommendation);
   records::write_file_atomically(folder / "recommendation.json",
-                                 records::json_text(recommendation.json));
-  records::write_file_atomically(folder / "recommendation.md", recommendation.markdown);
-  for (const std::string& file : reports::draw_study_plots(folder, recommendation.json)) {
+                                 records::json_text(reports::recommendation_json(recommendation)));
+  records::write_file_atomically(folder / "recommendation.md", text);
+  for (const std::string& file : reports::draw_study_plots(folder, recommendation)) {
     session.log->info("written: {}", (folder / file).string());
   }
-  if (!session.quiet) fmt::print("{}", recommendation.markdown);
+  if (!session.quiet) fmt::print("{}", text);
   session.log->info("written: {} and recommendation.json", (folder / "recommendation.md").string());
-  if (!recommendation.feasible) {
+  if (!recommendation.recommended) {
     session.log->warn(
         "no design meets every constraint and the rule's limits, so nothing is "
         "recommended");

@@ -2,26 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "key_text.hpp"
 
 namespace parapet::reports {
 
-std::optional<double> value_of(const designs::Json& json) {
-  return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
+std::string signed_text(const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return "-";
+  return fmt::format("{}{}", *value > 0.0 ? "+" : "", number_text(value));
 }
 
-std::string text_of(const designs::Json& json) {
-  return json.is_string() ? json.get<std::string>() : "";
-}
-
-std::string signed_text(const designs::Json& value) {
-  if (!value.is_number()) return "-";
-  return fmt::format("{}{}", value.get<double>() > 0.0 ? "+" : "",
-                     number_text(value.get<double>()));
-}
-
-std::string percent_text(const designs::Json& value) {
-  return value.is_number() ? fmt::format("{:+.1f} %", value.get<double>()) : "-";
+std::string percent_text(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? fmt::format("{:+.1f} %", *value) : "-";
 }
 
 std::string cell_text(const std::string& text) {

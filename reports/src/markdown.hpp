@@ -1,25 +1,17 @@
-/// Pieces of Markdown made from JSON.
+/// Pieces of Markdown.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "parapet/designs/study_spec.hpp"
-
 namespace parapet::reports {
 
-/// The number; empty for anything else.
-std::optional<double> value_of(const designs::Json& json);
-
-/// The text; empty for anything else.
-std::string text_of(const designs::Json& json);
-
 /// "+0.1", "-0.1", or "-" when there is no number.
-std::string signed_text(const designs::Json& value);
+std::string signed_text(const std::optional<double>& value);
 
 /// "+12.0 %", or "-" when there is no number.
-std::string percent_text(const designs::Json& value);
+std::string percent_text(const std::optional<double>& value);
 
 /// Text that cannot break a table's cell.
 std::string cell_text(const std::string& text);

@@ -96,7 +96,6 @@ TEST_F(Pick, WhatTheSurrogateDoubtsComesLast) {
 TEST_F(Pick, ARefutedOneGivesWayToTheNext) {
   add_front();
   confirm("0002", "near-1", study::confirmation_stage::near, 0.90, 0.12, 120.0);
-  study_.confirmations.back().feasible = false;
   const Choice choice = study::choose(study_, {});
   const study::ConfirmedPick confirmed = study::confirmed_pick(study_, choice);
   ASSERT_EQ(confirmed.refuted.size(), 1U);

@@ -25,7 +25,8 @@ designs::StudySpec spec() {
     },
     "objectives": [
       {"metric": "retention_efficiency", "goal": "maximize", "statistic": "mean"},
-      {"name": "reach_m", "metric": "launch_length_m", "goal": "minimize", "statistic": "worst"}],
+      {"name": "reach_m", "metric": "launch_length_m", "goal": "minimize", "statistic": "worst",
+       "value_when_absent": 0}],
     "constraints": [{"name": "load", "metric": "barrier_1_peak_force_n_per_m", "upper": 100,
                      "statistic": "worst"}],
     "scenarios": [{"name": "soft", "weight": 0.5, "set": {"yield_stress_pa": 50}},

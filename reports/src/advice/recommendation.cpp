@@ -1,0 +1,114 @@
+#include "parapet/reports/recommendation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "caveats.hpp"
+#include "confirmation_advice.hpp"
+#include "definitions.hpp"
+#include "design_advice.hpp"
+#include "effects.hpp"
+#include "front_advice.hpp"
+#include "other_designs.hpp"
+#include "parapet/study/comparable.hpp"
+#include "parapet/study/pick.hpp"
+#include "rule_words.hpp"
+#include "study_facts.hpp"
+
+namespace parapet::reports {
+namespace {
+
+using records::EvaluationRecord;
+using study::LoadedStudy;
+
+RuleFacts rule_facts(const LoadedStudy& study, const study::PickRule& rule,
+                     const study::Choice& choice) {
+  return {.kind = choice.kind,
+          .limits = rule.limits,
+          .words = rule_words(study, rule, choice),
+          .all_doubtful = choice.all_doubtful,
+          .allows_none = choice.ranked.empty() && !choice.front.empty()};
+}
+
+RecommendedDesign recommended_design(const LoadedStudy& study, const study::Candidate& pick) {
+  return {.design = design_report(study.spec, *pick.design),
+          .estimates = estimates_of(study.spec, pick),
+          .probability_feasible = pick.probability_feasible(),
+          .probability_limits = pick.probability_limits};
+}
+
+/// The design that an engineer would look at when nothing meets the constraints: the one that
+/// misses them least.
+std::optional<LeastViolatingDesign> least_violating(const LoadedStudy& study,
+                                                    const study::Choice& choice) {
+  if (!choice.ranked.empty() || !choice.front.empty()) return std::nullopt;
+  const std::vector<const EvaluationRecord*> infeasible = study::ranked_designs(study, false);
+  if (infeasible.empty()) return std::nullopt;
+  return LeastViolatingDesign{.design = design_report(study.spec, *infeasible.front()),
+                              .violation = study::violation(study.spec, *infeasible.front())};
+}
+
+std::vector<FailedDesign> failed_designs(const LoadedStudy& study) {
+  std::vector<FailedDesign> list;
+  for (const EvaluationRecord& record : study.designs) {
+    if (record.ok) continue;
+    list.push_back({record.id, written_design(study.spec, record.design), record.reason});
+  }
+  return list;
+}
+
+Reproduction reproduction(const LoadedStudy& study, const study::PickRule& rule,
+                          const EvaluationRecord& shown) {
+  return {
+      .evaluate = fmt::format("parapet evaluate SPEC.json --design '{}' --spacing-mm {:.10g}",
+                              designs::design_json(study.spec, shown.design).dump(),
+                              1000.0 * shown.spacing),
+      .optimize = "parapet optimize SPEC.json --out STUDY_DIR",
+      .recommend = "parapet recommend STUDY_DIR" + study::command_line(rule),
+      .spec = "SPEC.json is the study's spec; study.json holds it with every default under /spec",
+      .spec_hash = study.spec_hash,
+      .provenance = study.provenance};
+}
+
+const EvaluationRecord& record_of(const LoadedStudy& study, const std::string& id) {
+  return *std::ranges::find(study.designs, id, &EvaluationRecord::id);
+}
+
+}  // namespace
+
+const DesignReport* Recommendation::shown() const {
+  if (recommended) return &recommended->design;
+  return least_violating ? &least_violating->design : nullptr;
+}
+
+Recommendation recommend(const LoadedStudy& study, const study::PickRule& rule) {
+  const study::Choice choice = study::choose(study, rule);
+  const study::ConfirmedPick confirmed = study::confirmed_pick(study, choice);
+  Recommendation result;
+  result.study = study_facts(study);
+  result.rule = rule_facts(study, rule, choice);
+  result.least_violating = least_violating(study, choice);
+  result.progress = search_progress(study);
+  result.effects = variable_effects(study);
+  const bool several = study.spec.objectives.size() > 1;
+  if (several) result.front = front_designs(study.spec, choice);
+  if (confirmed.pick != nullptr) {
+    const EvaluationRecord& best = *confirmed.pick->design;
+    result.recommended = recommended_design(study, *confirmed.pick);
+    result.confirmation = confirmation_of(study, confirmed);
+    if (several) result.leaving = ways_out(choice, best);
+    result.improvement = improvement(study, best);
+    result.alternatives = alternatives(study, best, result.effects);
+  }
+  result.sensitivity = study.sensitivity;
+  result.failed = failed_designs(study);
+  const DesignReport* shown = result.shown();
+  result.caveats = caveats(study, result.recommended ? shown : nullptr);
+  if (shown != nullptr) result.reproduce = reproduction(study, rule, record_of(study, shown->id));
+  result.definitions = metric_definitions(study);
+  return result;
+}
+
+}  // namespace parapet::reports

@@ -1,0 +1,34 @@
+#include "study_facts.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "design_advice.hpp"
+#include "parapet/study/comparable.hpp"
+
+namespace parapet::reports {
+
+StudyFacts study_facts(const study::LoadedStudy& study) {
+  StudyFacts facts{.folder = study.folder.string(),
+                   .spec = study.spec,
+                   .objectives = {},
+                   .evaluations = static_cast<int>(study.designs.size()),
+                   .log_complete = study.log_complete,
+                   .counted_spacing = study::counted_spacing(study),
+                   .spacings = {}};
+  for (const designs::Objective& objective : study.spec.objectives) {
+    facts.objectives.push_back(terms_of(study.spec, objective));
+  }
+  std::map<double, int> counts;
+  for (const records::EvaluationRecord& record : study.designs) {
+    facts.failed += record.ok ? 0 : 1;
+    facts.feasible += record.ok && record.feasible ? 1 : 0;
+    facts.simulations += std::max(1, static_cast<int>(record.scenarios.size()));
+    facts.cpu_time += record.cpu_time;
+    ++counts[record.spacing];
+  }
+  for (const auto& [spacing, designs] : counts) facts.spacings.push_back({spacing, designs});
+  return facts;
+}
+
+}  // namespace parapet::reports

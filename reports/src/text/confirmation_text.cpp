@@ -1,0 +1,190 @@
+#include "confirmation_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "design_text.hpp"
+#include "key_text.hpp"
+#include "markdown.hpp"
+
+namespace parapet::reports {
+namespace {
+
+std::string probability_text(const Recommendation& advice) {
+  const auto probability = advice.recommended->probability_feasible;
+  if (!probability) {
+    return "There is no surrogate's probability that it meets the constraints; it did when it was "
+           "simulated.";
+  }
+  std::string text = fmt::format(
+      "As simulated it meets every constraint; the surrogate, which has seen all designs, gives a "
+      "probability of {:.0f} % that it does.",
+      100.0 * *probability);
+  if (advice.rule.all_doubtful) {
+    text += " **No design that the rule allows reaches 50 %**: each may owe its place to luck.";
+  }
+  if (const auto limits = advice.recommended->probability_limits) {
+    text += fmt::format(
+        " That it meets the rule's limits on objectives has a probability of {:.0f} % (objectives "
+        "taken as independent).",
+        100.0 * *limits);
+  }
+  return text;
+}
+
+std::string estimates_table(const std::vector<ObjectiveEstimate>& estimates) {
+  std::vector<std::vector<std::string>> rows{
+      {"objective", "simulated", "surrogate (95 % interval)", "simulated value is"}};
+  bool any = false;
+  for (const ObjectiveEstimate& objective : estimates) {
+    const auto &value = objective.value, &lower = objective.estimate.lower_95,
+               &upper = objective.estimate.upper_95;
+    if (!objective.terms.expression.empty()) continue;  // a formula, known exactly
+    any = any || lower;
+    const char* place = !lower || !upper || !value             ? "-"
+                        : *value >= *lower && *value <= *upper ? "within the interval"
+                                                               : "outside: scatter, or a bad model";
+    rows.push_back({objective_label(objective.terms), number_text(value),
+                    estimate_text(objective.estimate), place});
+  }
+  return any ? table(rows, "lrrl") : "";
+}
+
+std::string run_name(const ConfirmingRun& run) {
+  const bool near = run.stage == study::confirmation_stage::near;
+  return fmt::format("{}, at {:.4g} mm", near ? "near it" : "the design itself",
+                     1000.0 * run.spacing);
+}
+
+std::string runs_table(const Recommendation& advice) {
+  std::vector<std::vector<std::string>> rows{{"run", "what"}};
+  std::string alignment = "ll";
+  const std::vector<ObjectiveResult>& objectives = advice.recommended->design.objectives;
+  for (const ObjectiveResult& objective : objectives) {
+    rows[0].push_back(objective_label(objective.terms));
+    alignment += 'r';
+  }
+  rows[0].push_back("constraints");
+  alignment += 'l';
+  const auto add = [&](const std::string& id, const std::string& what,
+                       const std::vector<std::optional<double>>& values, const std::string& state) {
+    std::vector<std::string> row{id, what};
+    for (std::size_t j = 0; j < objectives.size(); ++j) {
+      row.push_back(j < values.size() ? number_text(values[j]) : "-");
+    }
+    row.push_back(state);
+    rows.push_back(std::move(row));
+  };
+  std::vector<std::optional<double>> own;
+  for (const ObjectiveResult& objective : objectives) own.push_back(objective.value);
+  add(advice.recommended->design.id, "the study's own run", own, "all hold");
+  for (const ConfirmingRun& run : advice.confirmation->runs) {
+    add(run.id, run_name(run), run.objectives,
+        !run.ok                ? "failed: " + run.reason
+        : run.violated.empty() ? "all hold"
+                               : "**violated**: " + joined(run.violated));
+  }
+  return table(rows, alignment);
+}
+
+/// What is rounding alone counts as none.
+std::string deviation_text(const Spread& spread) {
+  const double size = std::max(std::abs(spread.least), std::abs(spread.greatest));
+  const double deviation = spread.standard_deviation;
+  return deviation <= 1e-12 * size ? "0" : fmt::format("{:.2g}", deviation);
+}
+
+std::string spread_text(const std::vector<Spread>& spread) {
+  if (spread.empty()) return "";
+  std::vector<std::vector<std::string>> rows{{"quantity", "runs", "least", "greatest", "s.d."}};
+  for (const Spread& one : spread) {
+    rows.push_back({fmt::format("{}{}", key_words(one.name), bracketed_unit(one.metric)),
+                    std::to_string(one.runs), number_text(one.least), number_text(one.greatest),
+                    deviation_text(one)});
+  }
+  return "The design and those near it differ by half a per cent of each variable's range, which "
+         "no site work could tell apart: what lies between them is the scatter of the answer, and "
+         "a difference between designs that is not larger means nothing.\n\n" +
+         table(rows, "lrrrr");
+}
+
+std::string refuted_text(const Confirmation& confirmation) {
+  std::string text;
+  const bool all = confirmation.verdict == study::Verdict::refuted;
+  for (const RefutedDesign& one : confirmation.refuted) {
+    text +=
+        fmt::format("Design {}, which the rule {}, did not hold when it was simulated again{}.\n\n",
+                    one.id, all ? "ranks high" : "prefers",
+                    one.violated.empty() ? " (a simulation failed)"
+                                         : ": " + joined(one.violated) + " was violated");
+  }
+  return text;
+}
+
+/// Ids of the confirmation's runs that lie outside the rule's limits on objectives.
+std::vector<std::string> runs_outside_limits(const Recommendation& advice) {
+  std::vector<std::string> ids;
+  const std::vector<ObjectiveTerms>& objectives = advice.study.objectives;
+  for (const ConfirmingRun& run : advice.confirmation->runs) {
+    bool outside = false;
+    for (const study::ObjectiveLimit& limit : advice.rule.limits) {
+      for (std::size_t j = 0; j < run.objectives.size() && j < objectives.size(); ++j) {
+        const bool meant =
+            objectives[j].name == limit.objective || objectives[j].metric == limit.objective;
+        const auto& value = run.objectives[j];
+        if (!meant || !value) continue;
+        outside = outside || *value > limit.upper.value_or(*value) ||
+                  *value < limit.lower.value_or(*value);
+      }
+    }
+    if (outside) ids.push_back(run.id);
+  }
+  return ids;
+}
+
+std::string limits_text(const Recommendation& advice) {
+  const std::vector<std::string> ids = runs_outside_limits(advice);
+  if (ids.empty()) return "";
+  return fmt::format(
+      "**The rule's limits on objectives do not hold in every run**: {} lie{} outside. They chose "
+      "the design and are no constraints of the study, so this does not refute it.\n\n",
+      joined(ids), ids.size() == 1 ? "s" : "");
+}
+
+std::string verdict_text(const Confirmation& confirmation) {
+  if (confirmation.verdict == study::Verdict::none) {
+    return "It was not simulated again: how much the answer scatters is not known. Run `parapet "
+           "recommend` without --no-confirm.\n\n";
+  }
+  if (confirmation.verdict == study::Verdict::refuted) {
+    return fmt::format(
+        "**Not confirmed.** The {} design{} tried did not hold when simulated again. The one shown "
+        "is the rule's first choice; it should not be built on this evidence. Tighter limits in "
+        "the spec, or more evaluations, leave a margin for the scatter.\n\n",
+        confirmation.refuted.size(), confirmation.refuted.size() == 1 ? "" : "s");
+  }
+  const auto broken = std::ranges::count(confirmation.runs, false, &ConfirmingRun::feasible);
+  if (broken == 0) {
+    return "**Confirmed**: every constraint holds in every run of the design and near it.\n\n";
+  }
+  return fmt::format(
+      "**Confirmed, narrowly**: {} of the {} runs near the design broke a constraint. It lies so "
+      "close to a limit that the scatter decides.\n\n",
+      broken, confirmation.runs.size());
+}
+
+}  // namespace
+
+std::string confirmation_section(const Recommendation& advice) {
+  if (!advice.recommended) return "";
+  const Confirmation& confirmation = *advice.confirmation;
+  std::string text = "## How sure\n\n" + probability_text(advice) + "\n\n";
+  text += estimates_table(advice.recommended->estimates);
+  text += refuted_text(confirmation) + verdict_text(confirmation) + limits_text(advice);
+  if (!confirmation.runs.empty()) text += runs_table(advice) + spread_text(confirmation.spread);
+  return text;
+}
+
+}  // namespace parapet::reports

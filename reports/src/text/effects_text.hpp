@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "parapet/reports/recommendation.hpp"
+
+namespace parapet::reports {
+
+/// What each variable does; empty without fits.
+std::string effects_section(const std::vector<MetricResponse>& effects);
+
+}  // namespace parapet::reports

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "parapet/study/sensitivity_file.hpp"
+
+namespace parapet::reports {
+
+/// Which variables matter; empty when it is not known.
+std::string sensitivity_section(const std::optional<study::Sensitivity>& sensitivity);
+
+}  // namespace parapet::reports
