@@ -9,6 +9,7 @@
 #include "confirmation_advice.hpp"
 #include "definitions.hpp"
 #include "design_advice.hpp"
+#include "design_json.hpp"
 #include "effects.hpp"
 #include "front_advice.hpp"
 #include "other_designs.hpp"
@@ -63,7 +64,7 @@ Reproduction reproduction(const LoadedStudy& study, const study::PickRule& rule,
                           const EvaluationRecord& shown) {
   return {
       .evaluate = fmt::format("parapet evaluate SPEC.json --design '{}' --spacing-mm {:.10g}",
-                              designs::design_json(study.spec, shown.design).dump(),
+                              to_json(written_design(study.spec, shown.design)).dump(),
                               1000.0 * shown.spacing),
       .optimize = "parapet optimize SPEC.json --out STUDY_DIR",
       .recommend = "parapet recommend STUDY_DIR" + study::command_line(rule),
