@@ -11,6 +11,7 @@
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/study_folder.hpp"
 #include "parapet/study/design_run.hpp"
+#include "parapet/study/local_service.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
 #include "spec_files.hpp"
@@ -91,13 +92,13 @@ int evaluate_command(const Session& session, const EvaluateOptions& options) {
   std::optional<EvaluationRecord> record = find_logged(session, options, study, design);
   if (!record) {
     RunMonitor monitor(session, 1, "");
-    solver::Callbacks callbacks;
-    callbacks.on_progress = [&](const solver::Progress& progress) {
-      monitor.running(study.name, progress);
-      return !interrupted();
+    study::ServiceHooks hooks;
+    hooks.cancelled = interrupted;
+    hooks.on_progress = [&](const study::SimulationTask& task, const solver::Progress& progress) {
+      monitor.running(task.label, progress);
     };
-    const auto run = study::run_design(study, design, designs::finest_spacing(study),
-                                       study::solver_simulator(), options.jobs, callbacks);
+    const auto service = study::local_service()(options.jobs, hooks);
+    const auto run = study::run_design(study, design, designs::finest_spacing(study), *service);
     if (!run) {
       session.log->error("interrupted; nothing was logged");
       return exit_interrupted;

@@ -100,23 +100,12 @@ Scalarizer scalarizer_of(const designs::StudySpec& study, const Subproblem& subp
   };
 }
 
-/// Records of the designs asked for so far, in that order: a replay sees the same.
-std::vector<EvaluationRecord> asked_records(const StudyContext& context,
-                                            const StudyEvaluator& evaluator) {
-  std::vector<EvaluationRecord> records;
-  for (const designs::Design& design : evaluator.asked()) {
-    const auto* record = context.folder.log().find(design, designs::finest_spacing(context.study));
-    if (record != nullptr) records.push_back(*record);
-  }
-  return records;
-}
-
 /// One run of an optimiser on one subproblem.
-optimizer::OptimizeResult solve(const StudyContext& context, StudyEvaluator& evaluator,
+optimizer::OptimizeResult solve(const designs::StudySpec& study, BlockingEvaluator& evaluator,
                                 const Scalarizer& scalarizer, std::size_t n_constraints,
                                 optimizer::Options options, std::size_t most_asked,
                                 const std::string& stage) {
-  optimizer::Problem problem = make_problem(context.study);
+  optimizer::Problem problem = make_problem(study);
   problem.n_constraints = static_cast<int>(n_constraints);
   problem.evaluate = [&](const std::vector<double>& x) {
     return evaluator.evaluate({x}, stage, scalarizer).front();
@@ -125,12 +114,12 @@ optimizer::OptimizeResult solve(const StudyContext& context, StudyEvaluator& eva
     return evaluator.evaluate(xs, "start", scalarizer);
   };
   // Its own count includes designs that are known, which cost nothing here.
-  const int share = static_cast<int>(most_asked - std::min(most_asked, evaluator.asked().size()));
+  const int share = static_cast<int>(most_asked - std::min(most_asked, evaluator.asked()));
   const int whole = options.max_evaluations;
   options.max_evaluations = std::min(whole, 2 * (share + 1));
   if (!optimizer::problem_errors(problem, options).empty()) options.max_evaluations = whole;
   options.cancelled = [&, most_asked] {
-    return evaluator.stopped() || evaluator.asked().size() >= most_asked;
+    return evaluator.stopped() || evaluator.asked() >= most_asked;
   };
   return optimizer::optimize(problem, options);
 }
@@ -144,20 +133,20 @@ std::vector<double> to_x(const designs::StudySpec& study, const designs::Design&
 /// Runs the subproblems one after the other.
 class Series {
  public:
-  Series(const StudyContext& context, StudyEvaluator& evaluator)
-      : context_(context), evaluator_(evaluator), options_(make_options(context.study)) {}
+  Series(const designs::StudySpec& study, BlockingEvaluator& evaluator)
+      : study_(study), evaluator_(evaluator), options_(make_options(study)) {}
 
   optimizer::OptimizeResult run() {
-    const int count = std::max(1, context_.study.method.pareto_points);
+    const int count = std::max(1, study_.method.pareto_points);
     total_ = evaluate_starts();
     if (total_.termination != Termination::cancelled) return total_;
     for (int number = 0; number < count && !over(); ++number) run_one(number, count);
-    total_.evaluations = static_cast<int>(evaluator_.asked().size());
+    total_.evaluations = static_cast<int>(evaluator_.asked());
     if (evaluator_.stopped()) {
       total_.termination = Termination::cancelled;
     } else if (time_is_up()) {
       total_.termination = Termination::time_limit;
-    } else if (evaluator_.asked().size() >= budget()) {
+    } else if (evaluator_.asked() >= budget()) {
       total_.termination = Termination::budget;
     } else {
       total_.termination = Termination::converged;
@@ -168,52 +157,49 @@ class Series {
   }
 
  private:
-  std::size_t budget() const {
-    return static_cast<std::size_t>(context_.study.method.max_evaluations);
-  }
+  std::size_t budget() const { return static_cast<std::size_t>(study_.method.max_evaluations); }
   bool time_is_up() const {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
     return options_.max_time_s > 0.0 && elapsed.count() >= options_.max_time_s;
   }
   bool over() const {
-    return evaluator_.stopped() || time_is_up() || evaluator_.asked().size() >= budget();
+    return evaluator_.stopped() || time_is_up() || evaluator_.asked() >= budget();
   }
 
   /// The starting designs and nothing else: `cancelled` when that went well.
   optimizer::OptimizeResult evaluate_starts() {
-    return solve(context_, evaluator_, weighted_sum(context_.study),
-                 static_cast<std::size_t>(metric_limit_count(context_.study)), options_, 1,
-                 "start");
+    return solve(study_, evaluator_, weighted_sum(study_),
+                 static_cast<std::size_t>(metric_limit_count(study_)), options_, 1, "start");
   }
 
   void run_one(int number, int count) {
-    const std::size_t used = evaluator_.asked().size();
+    const std::size_t used = evaluator_.asked();
     const std::size_t left = budget() - used;
     const std::size_t share =
         std::max<std::size_t>(1, left / static_cast<std::size_t>(count - number));
-    const auto evaluated = asked_records(context_, evaluator_);
-    const Subproblem subproblem = make_subproblem(context_.study, evaluated, number, count);
-    const Scalarizer scalarizer = scalarizer_of(context_.study, subproblem);
+    const auto evaluated = evaluator_.records();
+    const Subproblem subproblem = make_subproblem(study_, evaluated, number, count);
+    const Scalarizer scalarizer = scalarizer_of(study_, subproblem);
     optimizer::Options options = options_;
     if (options_.max_time_s > 0.0) {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
       options.max_time_s = std::max(1e-3, options_.max_time_s - elapsed.count());
     }
     if (const EvaluationRecord* start = best_start(evaluated, scalarizer)) {
-      options.starts = {to_x(context_.study, start->design)};
+      options.starts = {to_x(study_, start->design)};
       options.start_count = 0;
     }
     const std::size_t limits =
-        static_cast<std::size_t>(metric_limit_count(context_.study)) + subproblem.limits.size();
+        static_cast<std::size_t>(metric_limit_count(study_)) + subproblem.limits.size();
     const optimizer::OptimizeResult result =
-        solve(context_, evaluator_, scalarizer, limits, options, used + share, "search");
+        solve(study_, evaluator_, scalarizer, limits, options, used + share, "search");
     total_.cache_hits += result.cache_hits;
     total_.rejected += result.rejected;
     ++begun_;
   }
 
-  const StudyContext& context_;
-  StudyEvaluator& evaluator_;
+  const designs::StudySpec& study_;
+  BlockingEvaluator& evaluator_;
   optimizer::Options options_;
   optimizer::OptimizeResult total_;
   int begun_ = 0;
@@ -265,9 +251,9 @@ Subproblem make_subproblem(const designs::StudySpec& study,
   return result;
 }
 
-optimizer::OptimizeResult optimize_scalarized(const StudyContext& context,
-                                              StudyEvaluator& evaluator) {
-  return Series(context, evaluator).run();
+optimizer::OptimizeResult optimize_scalarized(const designs::StudySpec& study,
+                                              BlockingEvaluator& evaluator) {
+  return Series(study, evaluator).run();
 }
 
 }  // namespace parapet::study

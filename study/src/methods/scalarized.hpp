@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "blocking_evaluator.hpp"
 #include "parapet/optimizer/optimize.hpp"
-#include "parapet/study/study_evaluator.hpp"
 
 namespace parapet::study {
 
@@ -36,7 +36,7 @@ Subproblem make_subproblem(const designs::StudySpec& study,
 /// Solves method.pareto_points subproblems, each from the best design known for it. They share the
 /// budget of max_evaluations different designs, starting ones included; a design that is known
 /// costs nothing. The same sequence follows when an interrupted study is run again.
-optimizer::OptimizeResult optimize_scalarized(const StudyContext& context,
-                                              StudyEvaluator& evaluator);
+optimizer::OptimizeResult optimize_scalarized(const designs::StudySpec& study,
+                                              BlockingEvaluator& evaluator);
 
 }  // namespace parapet::study

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
-#include "parapet/optimizer/optimize.hpp"
-#include "parapet/study/experiments.hpp"
-#include "parapet/study/problem.hpp"
-#include "parapet/study/study_evaluator.hpp"
+#include "bayesian_source.hpp"
+#include "evaluation_pool.hpp"
+#include "experiment_source.hpp"
+#include "nlopt_source.hpp"
 #include "scalarized.hpp"
-#include "search_source.hpp"
 
 namespace parapet::study {
 namespace {
@@ -95,7 +95,7 @@ AnswerOrder answer_order(const designs::Method& method, int jobs) {
   return jobs <= 1 ? AnswerOrder::by_log : AnswerOrder::as_they_come;
 }
 
-StudySummary search_bayesian(const StudyContext& context, int jobs, OutputWriter& writer) {
+StudySummary search_bayesian(const StudyContext& context, OutputWriter& writer) {
   const designs::Method& method = context.study.method;
   const SearchProblem problem = make_search_problem(context.study);
   bayesian::SearchOptions options = make_search_options(context.study);
@@ -104,9 +104,9 @@ StudySummary search_bayesian(const StudyContext& context, int jobs, OutputWriter
   bayesian::Search search(problem.problem, options);
   writer.attach(problem, search);
   const std::size_t events = std::max<std::size_t>(1, context.study.scenarios.size());
-  SearchSource source(context, problem, search, answer_order(method, jobs),
-                      open_questions(begun.jobs, events));
-  EvaluationPool pool(context, source, jobs, pool_limits(method), [&] { writer.search_told(); });
+  BayesianSource source(context, problem, search, answer_order(method, context.service.places()),
+                        open_questions(begun.jobs, events));
+  EvaluationPool pool(context, source, pool_limits(method), [&] { writer.search_told(); });
   const PoolEnd end = pool.run();
   source.finish();
   auto summary = pool_summary(end, method);
@@ -116,29 +116,7 @@ StudySummary search_bayesian(const StudyContext& context, int jobs, OutputWriter
   return writer.end(*std::move(summary));
 }
 
-/// A list of designs, in order.
-class ListSource : public DesignSource {
- public:
-  ListSource(const designs::StudySpec& study, Experiments experiments)
-      : spacing_(designs::finest_spacing(study)), experiments_(std::move(experiments)) {}
-
-  std::optional<Proposal> next() override {
-    if (next_ >= experiments_.designs.size()) return std::nullopt;
-    Proposal proposal;
-    proposal.stage = next_ < experiments_.n_starts ? "start" : "sample";
-    proposal.design = experiments_.designs[next_++];
-    proposal.spacing = spacing_;
-    return proposal;
-  }
-  void answered(std::size_t, const records::EvaluationRecord&) override {}
-
- private:
-  double spacing_;
-  Experiments experiments_;
-  std::size_t next_ = 0;
-};
-
-StudySummary search_experiments(const StudyContext& context, int jobs) {
+StudySummary search_experiments(const StudyContext& context) {
   Experiments experiments = lay_out_experiments(context.study);
   const std::size_t count = experiments.designs.size();
   const int refused = experiments.refused;
@@ -149,8 +127,8 @@ StudySummary search_experiments(const StudyContext& context, int jobs) {
     summary.rejected = refused;
     return summary;
   }
-  ListSource source(context.study, std::move(experiments));
-  EvaluationPool pool(context, source, jobs, pool_limits(context.study.method), {});
+  ExperimentSource source(context.study, std::move(experiments));
+  EvaluationPool pool(context, source, pool_limits(context.study.method), {});
   auto summary = pool_summary(pool.run(), context.study.method);
   if (!summary) summary = all_failed(context);
   if (!summary) {
@@ -161,65 +139,44 @@ StudySummary search_experiments(const StudyContext& context, int jobs) {
   return *summary;
 }
 
-StudySummary summary_of(const optimizer::OptimizeResult& result, bool interruption) {
-  StudySummary summary;
-  if (interruption || result.termination == Termination::cancelled) {
-    summary = interrupted();
-  } else {
-    const bool failed = result.termination == Termination::failed ||
-                        result.termination == Termination::no_feasible_start;
-    summary = ended(failed ? StudyState::failed : StudyState::done,
-                    optimizer::to_string(result.termination), result.message);
-  }
+StudySummary summary_of(const optimizer::OptimizeResult& result) {
+  if (result.termination == Termination::cancelled) return interrupted();
+  const bool failed = result.termination == Termination::failed ||
+                      result.termination == Termination::no_feasible_start;
+  return ended(failed ? StudyState::failed : StudyState::done,
+               optimizer::to_string(result.termination), result.message);
+}
+
+StudySummary search_nlopt(const StudyContext& context) {
+  const designs::StudySpec& study = context.study;
+  const bool scalarized = designs::search_kind(study) == designs::SearchKind::scalarized;
+  NloptSource source(context, [&](BlockingEvaluator& evaluator) {
+    return scalarized ? optimize_scalarized(study, evaluator)
+                      : optimize_weighted_sum(study, evaluator);
+  });
+  // The optimiser watches max_time_s itself.
+  EvaluationPool pool(context, source, {.max_cpu_time = study.method.max_cpu_time_s}, {});
+  const PoolEnd end = pool.run();
+  const optimizer::OptimizeResult result = source.finish();
+  StudySummary summary = pool_summary(end, study.method).value_or(summary_of(result));
   summary.cache_hits = result.cache_hits;
   summary.rejected = result.rejected;
   return summary;
 }
 
-optimizer::OptimizeResult optimize_weighted_sum(const StudyContext& context,
-                                                StudyEvaluator& evaluator) {
-  optimizer::Problem problem = make_problem(context.study);
-  const Scalarizer scalarizer = weighted_sum(context.study);
-  problem.evaluate = [&](const std::vector<double>& x) {
-    return evaluator.evaluate({x}, "search", scalarizer).front();
-  };
-  problem.evaluate_batch = [&](const std::vector<std::vector<double>>& xs) {
-    return evaluator.evaluate(xs, "start", scalarizer);
-  };
-  optimizer::Options options = make_options(context.study);
-  options.cancelled = [&] { return evaluator.stopped(); };
-  return optimizer::optimize(problem, options);
-}
-
-StudySummary search_nlopt(const StudyContext& context, int jobs) {
-  StudyEvaluator evaluator(context, jobs);
-  const optimizer::OptimizeResult result =
-      designs::search_kind(context.study) == designs::SearchKind::scalarized
-          ? optimize_scalarized(context, evaluator)
-          : optimize_weighted_sum(context, evaluator);
-  evaluator.throw_if_failed();
-  StudySummary summary = summary_of(result, evaluator.stopped());
-  if (evaluator.out_of_cpu_time() && !context.cancelled()) {
-    summary = *pool_summary(PoolEnd::cpu_time, context.study.method);
-    summary.cache_hits = result.cache_hits;
-    summary.rejected = result.rejected;
-  }
-  return summary;
-}
-
 }  // namespace
 
-StudySummary search_study(const StudyContext& context, int jobs, OutputWriter& writer) {
+StudySummary search_study(const StudyContext& context, OutputWriter& writer) {
   switch (designs::search_kind(context.study)) {
     case designs::SearchKind::bayesian:
-      return search_bayesian(context, jobs, writer);
+      return search_bayesian(context, writer);
     case designs::SearchKind::experiments:
-      return writer.end(search_experiments(context, jobs));
+      return writer.end(search_experiments(context));
     case designs::SearchKind::scalarized:
     case designs::SearchKind::weighted_sum:
       break;
   }
-  return writer.end(search_nlopt(context, jobs));
+  return writer.end(search_nlopt(context));
 }
 
 }  // namespace parapet::study

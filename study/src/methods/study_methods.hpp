@@ -9,6 +9,6 @@ namespace parapet::study {
 
 /// Searches as the study's method says. What is returned is complete but for what the log tells.
 /// @throws what stopped it, if that was a failure: records::FileError
-StudySummary search_study(const StudyContext& context, int jobs, OutputWriter& writer);
+StudySummary search_study(const StudyContext& context, OutputWriter& writer);
 
 }  // namespace parapet::study

@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
-#include <mutex>
 #include <random>
 
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/records/folder_lock.hpp"
 #include "parapet/study/design_run.hpp"
 #include "parapet/study/scoring.hpp"
-#include "parapet/study/side_by_side.hpp"
+#include "parapet/study/simulator.hpp"
+#include "parapet/study/thread_count.hpp"
+#include "simulate_in_order.hpp"
 
 namespace parapet::study {
 namespace {
@@ -48,8 +47,8 @@ std::vector<PlannedRun> plan(const designs::StudySpec& study, const Pick& pick,
 class Confirmation {
  public:
   Confirmation(const designs::StudySpec& study, const ConfirmOptions& options,
-               records::EvaluationLog& log)
-      : study_(study), options_(options), log_(log) {}
+               records::EvaluationLog& log, SimulationService& service)
+      : study_(study), options_(options), log_(log), service_(service) {}
 
   /// Runs simulated. The log then holds all runs, unless it was cancelled.
   int run(const std::vector<PlannedRun>& runs) {
@@ -57,9 +56,14 @@ class Confirmation {
       if (!reuse(one)) open_.push_back({&one, DesignRun(study_, one.design, one.spacing), 0});
     }
     const std::size_t events = std::max<std::size_t>(1, study_.scenarios.size());
-    run_side_by_side(
-        open_.size() * events, options_.jobs,
-        [&](std::size_t k, int threads) { simulate(open_[k / events], k % events, threads); },
+    const std::size_t count = open_.size() * events;
+    const int threads = threads_each(count, service_.places());
+    simulate_in_order(
+        service_, count,
+        [&](std::size_t k) { return begin(open_[k / events], k % events, threads); },
+        [&](std::size_t k, records::Simulation simulation) {
+          end(open_[k / events], k % events, std::move(simulation));
+        },
         [&] { return cancelled(); });
     return stored_;
   }
@@ -89,27 +93,28 @@ class Confirmation {
     return true;
   }
 
-  void simulate(OpenRun& open, std::size_t event, int threads) {
+  static std::string label(const OpenRun& open, std::size_t event) {
     const designs::Scenario* scenario = open.run.scenario(event);
-    const std::string label =
-        scenario == nullptr ? open.plan->id : open.plan->id + " " + scenario->name;
-    solver::Callbacks callbacks;
-    callbacks.on_progress = [&](const solver::Progress& progress) {
-      if (options_.hooks.on_simulation) options_.hooks.on_simulation(label, progress);
-      return !cancelled();
-    };
-    records::Simulation simulation = options_.simulator({.study = study_,
-                                                         .design = open.plan->design,
-                                                         .scenario = scenario,
-                                                         .spacing = open.plan->spacing,
-                                                         .threads = threads,
-                                                         .callbacks = callbacks});
-    if (options_.hooks.on_simulation_ended) options_.hooks.on_simulation_ended(label);
+    return scenario == nullptr ? open.plan->id : open.plan->id + " " + scenario->name;
+  }
+
+  std::optional<SimulationTask> begin(OpenRun& open, std::size_t event, int threads) {
+    try {
+      return open.run.task(event, label(open, event), threads);
+    } catch (const designs::InputError& error) {
+      end(open, event, impossible_scene(error.what()));
+      return std::nullopt;
+    }
+  }
+
+  void end(OpenRun& open, std::size_t event, records::Simulation simulation) {
+    if (options_.hooks.on_simulation_ended) {
+      options_.hooks.on_simulation_ended(label(open, event));
+    }
     if (simulation.cancelled) {
       cancelled_ = true;
       return;
     }
-    const std::scoped_lock lock(mutex_);
     open.run.set(event, std::move(simulation));
     if (++open.ended == open.run.size()) store(open);
   }
@@ -126,10 +131,10 @@ class Confirmation {
   const designs::StudySpec& study_;
   const ConfirmOptions& options_;
   records::EvaluationLog& log_;
+  SimulationService& service_;
   std::vector<OpenRun> open_;
-  std::mutex mutex_;  // guards open_, log_ and stored_ while workers run
   int stored_ = 0;
-  std::atomic<bool> cancelled_ = false;
+  bool cancelled_ = false;
 };
 
 Verdict verdict(const Pick& pick, const records::EvaluationLog& log) {
@@ -191,12 +196,13 @@ ConfirmOutcome confirm_picks(const designs::StudySpec& study, const std::vector<
   if (!log.repair_note().empty() && options.hooks.on_message) {
     options.hooks.on_message(log.repair_note());
   }
+  const auto service = options.service(options.jobs, service_hooks(options.hooks));
   for (const Pick& pick : picks) {
     const std::size_t tried = outcome.refuted.size();
     if (tried == static_cast<std::size_t>(most_confirmed_designs)) break;
     const std::vector<PlannedRun> runs = plan(study, pick, options);
     if (options.on_pick) options.on_pick(pick, runs.size());
-    Confirmation confirmation(study, options, log);
+    Confirmation confirmation(study, options, log, *service);
     outcome.simulated += confirmation.run(runs);
     outcome.cancelled = confirmation.cancelled();
     if (outcome.cancelled) return outcome;

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "parapet/study/simulator.hpp"
 #include "parapet/study/study_context.hpp"
 
 namespace parapet::study {
@@ -17,38 +18,36 @@ std::string DesignJob::label(std::size_t event) const {
   return scenario == nullptr ? id_ : id_ + " " + scenario->name;
 }
 
-DesignJob::Outcome DesignJob::simulate(std::size_t event, int threads) {
-  const designs::Scenario* scenario = run_.scenario(event);
-  const records::Simulation* known =
-      scenario == nullptr
-          ? nullptr
-          : context_.folder.unfinished(run_.design(), run_.spacing(), scenario->name);
-  const std::string label_text = label(event);
-  if (known != nullptr) {
-    run_.set(event, *known);
-  } else {
-    solver::Callbacks callbacks;
-    callbacks.on_progress = [&](const solver::Progress& progress) {
-      if (context_.hooks.on_simulation) context_.hooks.on_simulation(label_text, progress);
-      return !context_.cancelled();
-    };
-    records::Simulation simulation = context_.simulator({.study = context_.study,
-                                                         .design = run_.design(),
-                                                         .scenario = scenario,
-                                                         .spacing = run_.spacing(),
-                                                         .threads = threads,
-                                                         .callbacks = callbacks});
-    if (context_.hooks.on_simulation_ended) context_.hooks.on_simulation_ended(label_text);
-    if (simulation.cancelled) return Outcome::cancelled;
-    run_.set(event, std::move(simulation));
+std::optional<SimulationTask> DesignJob::begin(std::size_t event, int threads) {
+  if (const designs::Scenario* scenario = run_.scenario(event)) {
+    const auto* known = context_.folder.unfinished(run_.design(), run_.spacing(), scenario->name);
+    if (known != nullptr) {
+      keep(event, *known);
+      return std::nullopt;
+    }
   }
+  try {
+    return run_.task(event, label(event), threads);
+  } catch (const designs::InputError& error) {
+    end(event, impossible_scene(error.what()));
+    return std::nullopt;
+  }
+}
+
+void DesignJob::end(std::size_t event, records::Simulation simulation) {
+  if (context_.hooks.on_simulation_ended) context_.hooks.on_simulation_ended(label(event));
+  if (!simulation.cancelled) keep(event, std::move(simulation));
+}
+
+void DesignJob::keep(std::size_t event, records::Simulation simulation) {
+  run_.set(event, std::move(simulation));
   // Also what was known is written: the design may have another id now.
-  if (scenario != nullptr) {
+  if (const designs::Scenario* scenario = run_.scenario(event)) {
     context_.folder.store_simulation(id_, run_.design(), run_.spacing(), *scenario, event,
                                      run_.simulation(event).value(),
                                      records::study_provenance(context_.study, context_.program));
   }
-  return open_.fetch_sub(1) == 1 ? Outcome::complete : Outcome::incomplete;
+  --open_;
 }
 
 records::EvaluationRecord DesignJob::store() const {

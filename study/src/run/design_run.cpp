@@ -1,12 +1,12 @@
 #include "parapet/study/design_run.hpp"
 
-#include <atomic>
-#include <stdexcept>
 #include <utility>
 
 #include "parapet/records/hashes.hpp"
 #include "parapet/study/scoring.hpp"
-#include "parapet/study/side_by_side.hpp"
+#include "parapet/study/simulator.hpp"
+#include "parapet/study/thread_count.hpp"
+#include "simulate_in_order.hpp"
 
 namespace parapet::study {
 namespace {
@@ -34,6 +34,10 @@ DesignRun::DesignRun(const designs::StudySpec& study, designs::Design design, do
 
 const designs::Scenario* DesignRun::scenario(std::size_t event) const {
   return study_.scenarios.empty() ? nullptr : &study_.scenarios[event];
+}
+
+SimulationTask DesignRun::task(std::size_t event, std::string label, int threads) const {
+  return make_task(study_, design_, scenario(event), spacing_, std::move(label), threads);
 }
 
 void DesignRun::set(std::size_t event, records::Simulation simulation) {
@@ -87,23 +91,23 @@ Json DesignRun::report(const records::ProgramInfo& program) const {
 }
 
 std::optional<DesignRun> run_design(const designs::StudySpec& study, const designs::Design& design,
-                                    double spacing, const Simulator& simulator, int jobs,
-                                    const solver::Callbacks& callbacks) {
+                                    double spacing, SimulationService& service) {
   DesignRun run(study, design, spacing);
-  std::atomic<bool> cancelled = false;
-  run_side_by_side(
-      run.size(), jobs,
-      [&](std::size_t k, int threads) {
-        records::Simulation simulation = simulator({.study = study,
-                                                    .design = design,
-                                                    .scenario = run.scenario(k),
-                                                    .spacing = spacing,
-                                                    .threads = threads,
-                                                    .callbacks = callbacks});
-        if (simulation.cancelled) cancelled = true;
-        run.set(k, std::move(simulation));
-      },
-      [&] { return cancelled.load(); });
+  const int threads = threads_each(run.size(), service.places());
+  bool cancelled = false;
+  const auto begin = [&](std::size_t event) -> std::optional<SimulationTask> {
+    try {
+      return run.task(event, study.name, threads);
+    } catch (const designs::InputError& error) {
+      run.set(event, impossible_scene(error.what()));
+      return std::nullopt;
+    }
+  };
+  const auto end = [&](std::size_t event, records::Simulation simulation) {
+    if (simulation.cancelled) cancelled = true;
+    run.set(event, std::move(simulation));
+  };
+  simulate_in_order(service, run.size(), begin, end, [&] { return cancelled; });
   if (cancelled) return std::nullopt;
   return run;
 }

@@ -1,23 +1,23 @@
 #include "evaluation_pool.hpp"
 
 #include <algorithm>
-#include <thread>
+#include <optional>
+
+#include "parapet/study/thread_count.hpp"
 
 namespace parapet::study {
 
-EvaluationPool::EvaluationPool(const StudyContext& context, DesignSource& source, int jobs,
+EvaluationPool::EvaluationPool(const StudyContext& context, DesignSource& source,
                                const PoolLimits& limits, std::function<void()> after_answer)
-    : context_(context),
-      source_(source),
-      jobs_(std::max(1, jobs)),
-      limits_(limits),
-      after_answer_(std::move(after_answer)) {}
+    : context_(context), source_(source), limits_(limits), after_answer_(std::move(after_answer)) {}
 
 PoolEnd EvaluationPool::run() {
-  {
-    std::vector<std::jthread> workers;
-    for (int k = 1; k < jobs_; ++k) workers.emplace_back([this] { work(); });
-    work();
+  for (bool more = true; more;) {
+    try {
+      more = step();
+    } catch (...) {
+      if (!failure_) failure_ = std::current_exception();
+    }
   }
   if (failure_) std::rethrow_exception(failure_);
   return cancelled_ || context_.cancelled() ? PoolEnd::cancelled : end_;
@@ -27,36 +27,39 @@ bool EvaluationPool::stopped() const {
   return ended_ || failure_ || cancelled_ || context_.cancelled();
 }
 
-void EvaluationPool::work() {
-  std::unique_lock lock(mutex_);
-  try {
-    while (!stopped()) {
-      if (const auto task = take()) {
-        simulate(*task, lock);
-      } else if (running_ == 0) {
-        ended_ = true;
-      } else {
-        changed_.wait(lock);  // for the end of a simulation that runs
-      }
+/// False when nothing is under way and nothing more will be.
+bool EvaluationPool::step() {
+  // What has ended goes to disk before the source is asked, which may take its time.
+  if (!under_way_.empty()) {
+    if (auto ended = context_.service.poll()) {
+      settle(*std::move(ended));
+      return true;
     }
-  } catch (...) {
-    if (!lock.owns_lock()) lock.lock();
-    if (!failure_) failure_ = std::current_exception();
   }
-  changed_.notify_all();
+  const auto places = static_cast<std::size_t>(context_.service.places());
+  if (under_way_.size() < places && begin_next()) return true;
+  if (under_way_.empty()) return false;
+  settle(context_.service.wait());
+  return true;
 }
 
-std::optional<EvaluationPool::Task> EvaluationPool::take() {
+/// False when there is nothing to begin at the moment, or ever.
+bool EvaluationPool::begin_next() {
   while (queue_.empty() && !stopped()) {
-    const std::optional<Proposal> proposal = source_.next();
-    if (!proposal) return std::nullopt;
-    launch(proposals_++, *proposal);
+    const std::vector<Proposal> proposals = source_.next();
+    if (proposals.empty()) return false;
+    launch(proposals);
   }
-  if (queue_.empty() || stopped()) return std::nullopt;
-  Task task = queue_.front();
+  if (queue_.empty() || stopped()) return false;
+  const Event next = queue_.front();
   queue_.pop_front();
-  if (!queue_.empty()) changed_.notify_one();
-  return task;
+  const auto& [flight, event] = next;
+  if (auto task = flight->job->begin(event, flight->threads)) {
+    under_way_.emplace(context_.service.submit(*std::move(task)), next);
+  } else {
+    complete(flight);
+  }
+  return true;
 }
 
 bool EvaluationPool::limit_reached() {
@@ -92,72 +95,76 @@ std::string EvaluationPool::id_for(std::size_t number, const Proposal& proposal)
   return records::evaluation_id(k);
 }
 
-void EvaluationPool::launch(std::size_t number, const Proposal& proposal) {
+void EvaluationPool::launch(const std::vector<Proposal>& proposals) {
+  std::vector<std::shared_ptr<Flight>> begun;
+  std::size_t simulations = 0;
+  for (const Proposal& proposal : proposals) {
+    if (auto flight = flight_for(proposals_++, proposal)) {
+      simulations += flight->job->size();
+      begun.push_back(std::move(flight));
+    }
+    if (ended_) break;
+  }
+  for (const auto& flight : begun) {
+    if (source_.proposes_in_rounds()) {
+      flight->threads = threads_each(simulations, context_.service.places());
+    }
+    for (std::size_t event = 0; event < flight->job->size(); ++event) {
+      queue_.emplace_back(flight, event);
+    }
+  }
+}
+
+/// A new flight; empty where the log or a flight under way answers, or a limit is reached.
+std::shared_ptr<EvaluationPool::Flight> EvaluationPool::flight_for(std::size_t number,
+                                                                   const Proposal& proposal) {
   for (const auto& flight : flights_) {
     if (flight->design != proposal.design || flight->spacing != proposal.spacing) continue;
     flight->numbers.push_back(number);
-    return;
+    return nullptr;
   }
-  std::optional<records::EvaluationRecord> known;
+  if (const auto* known = context_.folder.log().find(proposal.design, proposal.spacing)) {
+    const records::EvaluationRecord record = *known;
+    if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(record, true);
+    answer(number, record);
+    return nullptr;
+  }
+  if (limit_reached()) {
+    ended_ = true;
+    return nullptr;
+  }
   const auto flight = std::make_shared<Flight>();
-  {
-    const std::scoped_lock log(log_mutex_);
-    if (const auto* record = context_.folder.log().find(proposal.design, proposal.spacing)) {
-      known = *record;
-      if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(*known, true);
-    } else if (limit_reached()) {
-      ended_ = true;
-      return;
-    } else {
-      flight->job = std::make_unique<DesignJob>(context_, id_for(number, proposal), proposal.stage,
-                                                proposal.design, proposal.spacing);
-    }
-  }
-  if (known) {
-    answer(number, *known);
-    return;
-  }
+  flight->job = std::make_unique<DesignJob>(context_, id_for(number, proposal), proposal.stage,
+                                            proposal.design, proposal.spacing);
   flight->design = proposal.design;
   flight->spacing = proposal.spacing;
   flight->numbers = {number};
   flights_.push_back(flight);
-  for (std::size_t event = 0; event < flight->job->size(); ++event) {
-    queue_.emplace_back(flight, event);
-  }
+  return flight;
 }
 
-void EvaluationPool::simulate(const Task& task, std::unique_lock<std::mutex>& lock) {
-  const auto& [flight, event] = task;
-  ++running_;
-  lock.unlock();
-  std::optional<records::EvaluationRecord> record;
-  try {
-    const DesignJob::Outcome outcome = flight->job->simulate(event, 1);
-    if (outcome == DesignJob::Outcome::cancelled) cancelled_ = true;
-    if (outcome == DesignJob::Outcome::complete) {
-      const std::scoped_lock log(log_mutex_);
-      record = flight->job->store();
-      if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(*record, false);
-    }
-  } catch (...) {
-    lock.lock();
-    --running_;
-    throw;
-  }
-  lock.lock();
-  --running_;
-  if (record) {
-    std::erase(flights_, flight);
-    for (const std::size_t number : flight->numbers) answer(number, *record);
-  }
-  changed_.notify_all();
+void EvaluationPool::settle(EndedSimulation ended) {
+  const auto found = under_way_.find(ended.ticket);
+  const auto [flight, event] = found->second;
+  under_way_.erase(found);
+  if (ended.failure) std::rethrow_exception(ended.failure);
+  if (ended.simulation.cancelled) cancelled_ = true;
+  flight->job->end(event, std::move(ended.simulation));
+  complete(flight);
+}
+
+/// Stores and answers a design whose events have all ended.
+void EvaluationPool::complete(const std::shared_ptr<Flight>& flight) {
+  if (!flight->job->complete()) return;
+  const records::EvaluationRecord record = flight->job->store();
+  if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(record, false);
+  std::erase(flights_, flight);
+  for (const std::size_t number : flight->numbers) answer(number, record);
 }
 
 void EvaluationPool::answer(std::size_t number, const records::EvaluationRecord& record) {
   source_.answered(number, record);
-  if (!after_answer_) return;
-  const std::scoped_lock log(log_mutex_);
-  after_answer_();
+  if (after_answer_) after_answer_();
 }
 
 }  // namespace parapet::study

@@ -1,42 +1,21 @@
-/// Workers that simulate designs as they are proposed, none waiting for another.
+/// The loop of every study: designs are simulated as they are proposed, none waiting for another.
 #pragma once
 
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <deque>
 #include <exception>
 #include <functional>
+#include <map>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "design_source.hpp"
 #include "parapet/study/study_context.hpp"
 
 namespace parapet::study {
-
-/// A design to be evaluated.
-struct Proposal {
-  std::string stage;
-  designs::Design design;
-  double spacing = 0.0;  ///< [m]
-};
-
-/// Where designs come from. Called by one thread at a time.
-class DesignSource {
- public:
-  virtual ~DesignSource() = default;
-
-  /// The next design; nothing while an answer must come first, or for good.
-  virtual std::optional<Proposal> next() = 0;
-
-  /// The record of the proposal of this number, counted from 0 in the order of next().
-  virtual void answered(std::size_t number, const records::EvaluationRecord& record) = 0;
-};
 
 /// Limits beyond which nothing new is simulated; what is running ends first. 0: none.
 struct PoolLimits {
@@ -46,58 +25,62 @@ struct PoolLimits {
 
 enum class PoolEnd { source_ended, cpu_time, time, cancelled };
 
-/// Simulates what a source proposes. `jobs` workers take simulations (a design under one event)
-/// from a queue; when it is empty, the source is asked, by one worker at a time. A design that the
-/// log holds is answered from there. Each simulation takes one thread.
+/// Evaluates what a source proposes. While the service has a place free, a simulation (a design
+/// under one event) is taken from a queue and handed in; when the queue is empty, the source is
+/// asked. A design that the log holds is answered from there.
 ///
 /// Ids follow the order of the proposals, so that they do not depend on which of several
 /// simulations side by side ends first; a design that an earlier run left incomplete keeps its id.
+///
+/// Everything but the simulations happens on the thread that calls run().
 class EvaluationPool {
  public:
   /// @param context and source must outlive the pool
-  /// @param after_answer called after each answer, with the log at rest. May be empty.
-  EvaluationPool(const StudyContext& context, DesignSource& source, int jobs,
-                 const PoolLimits& limits, std::function<void()> after_answer);
+  /// @param after_answer called after each answer. May be empty.
+  EvaluationPool(const StudyContext& context, DesignSource& source, const PoolLimits& limits,
+                 std::function<void()> after_answer);
 
-  /// @throws what a worker threw: records::FileError, or the source's exceptions.
+  /// Until the source has nothing more, a limit is reached or the study is cancelled. What runs
+  /// then, or when something fails, ends first and is stored.
+  /// @throws the first failure: records::FileError, the source's or the service's exceptions.
   PoolEnd run();
 
  private:
+  /// A design on its way.
   struct Flight {
     std::unique_ptr<DesignJob> job;
     designs::Design design;
     double spacing = 0.0;
+    int threads = 1;                   // of each simulation
     std::vector<std::size_t> numbers;  // of the proposals that wait for it
   };
-  using Task = std::pair<std::shared_ptr<Flight>, std::size_t>;
+  using Event = std::pair<std::shared_ptr<Flight>, std::size_t>;
 
-  void work();
+  bool step();
   bool stopped() const;
-  std::optional<Task> take();
-  bool limit_reached();  // with log_mutex_ held
-  void launch(std::size_t number, const Proposal& proposal);
+  bool begin_next();
+  bool limit_reached();
+  void launch(const std::vector<Proposal>& proposals);
+  std::shared_ptr<Flight> flight_for(std::size_t number, const Proposal& proposal);
   std::string id_for(std::size_t number, const Proposal& proposal);
-  void simulate(const Task& task, std::unique_lock<std::mutex>& lock);
+  void settle(EndedSimulation ended);
+  void complete(const std::shared_ptr<Flight>& flight);
   void answer(std::size_t number, const records::EvaluationRecord& record);
 
   const StudyContext& context_;
   DesignSource& source_;
-  int jobs_;
   PoolLimits limits_;
   std::function<void()> after_answer_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 
-  std::mutex mutex_;      // guards the source and all below; taken before log_mutex_
-  std::mutex log_mutex_;  // guards the folder and the hook on_evaluated
-  std::condition_variable changed_;
-  std::deque<Task> queue_;
+  std::deque<Event> queue_;                 // not handed in yet
+  std::map<std::size_t, Event> under_way_;  // by ticket
   std::vector<std::shared_ptr<Flight>> flights_;
   std::set<std::string> ids_given_;
   std::size_t proposals_ = 0;
-  int running_ = 0;
   bool ended_ = false;
+  bool cancelled_ = false;
   PoolEnd end_ = PoolEnd::source_ended;
-  std::atomic<bool> cancelled_ = false;
   std::exception_ptr failure_;
 };
 

@@ -29,7 +29,7 @@ Json simulation_json(const Json& result) {
   return json;
 }
 
-records::Simulation from_result(const designs::StudySpec& study, const designs::CaseSpec& spec,
+records::Simulation from_result(const designs::CaseSpec& spec, int threads,
                                 const solver::Result& result) {
   records::Simulation simulation;
   simulation.cancelled = result.status == solver::Status::cancelled;
@@ -41,36 +41,26 @@ records::Simulation from_result(const designs::StudySpec& study, const designs::
                               static_cast<double>(result.statistics.steps);
   simulation.report["numerics"] = spec.resolved.at("numerics");
   simulation.report["simulation"] =
-      simulation_json(records::result_json(study.name, result, nullptr, nullptr, spec.run.threads));
+      simulation_json(records::result_json(spec.name, result, nullptr, nullptr, threads));
   simulation.report["case"] = spec.resolved;
   simulation.report["series"] = records::series_json(result.series);
   return simulation;
 }
 
-records::Simulation impossible(const std::string& why) {
-  records::Simulation simulation;
-  simulation.reason = "the scene is impossible: " + why;
-  simulation.report = Json::object();
-  return simulation;
-}
-
-records::Simulation simulate(const SimulationTask& task) {
+records::Simulation simulate(const SimulationTask& task, const solver::Callbacks& callbacks) {
+  const designs::CaseSpec& spec = task.spec;
+  solver::RunOptions run = spec.run;
+  run.threads = worthwhile_threads(spec, task.threads);
   try {
-    designs::CaseSpec spec =
-        designs::design_case(task.study, task.design, task.scenario, task.spacing);
-    spec.run.threads = worthwhile_threads(spec, task.threads);
     const double before = thread_seconds();
-    const solver::Result result =
-        solver::simulate(spec.scene, spec.numerics, spec.run, task.callbacks);
+    const solver::Result result = solver::simulate(spec.scene, spec.numerics, run, callbacks);
     const double seconds = thread_seconds() - before;
-    records::Simulation simulation = from_result(task.study, spec, result);
+    records::Simulation simulation = from_result(spec, run.threads, result);
     // The other threads of a simulation work, or wait busily, as long as the calling one.
-    simulation.cpu_time = seconds * spec.run.threads;
+    simulation.cpu_time = seconds * run.threads;
     return simulation;
-  } catch (const designs::InputError& error) {
-    return impossible(error.what());
   } catch (const std::invalid_argument& error) {
-    return impossible(error.what());
+    return impossible_scene(error.what());
   }
 }
 
@@ -78,6 +68,13 @@ records::Simulation simulate(const SimulationTask& task) {
 
 Simulator solver_simulator() {
   return simulate;
+}
+
+records::Simulation impossible_scene(const std::string& why) {
+  records::Simulation simulation;
+  simulation.reason = "the scene is impossible: " + why;
+  simulation.report = Json::object();
+  return simulation;
 }
 
 double expected_seconds(const designs::StudySpec& study, double spacing) {

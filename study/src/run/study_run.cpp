@@ -40,13 +40,14 @@ StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& o
     if (!from_log) writer.record_added();
     if (options.hooks.on_evaluated) options.hooks.on_evaluated(record, from_log);
   };
+  const auto service = options.service(options.jobs, service_hooks(hooks));
   const StudyContext context{.study = study,
                              .folder = folder,
                              .program = options.program,
-                             .simulator = options.simulator,
+                             .service = *service,
                              .hooks = hooks};
   try {
-    return search_study(context, options.jobs, writer);
+    return search_study(context, writer);
   } catch (const std::exception& error) {
     writer.detach();
     try_to_say_failed(writer, error.what());

@@ -15,4 +15,10 @@ int worthwhile_threads(const designs::CaseSpec& spec, int available) {
   return std::clamp(useful, 1, std::max(1, available));
 }
 
+int threads_each(std::size_t simulations, int places) {
+  const auto n_places = static_cast<std::size_t>(std::max(1, places));
+  const std::size_t at_once = std::clamp<std::size_t>(simulations, 1, n_places);
+  return static_cast<int>(n_places / at_once);
+}
+
 }  // namespace parapet::study

@@ -49,7 +49,8 @@ FakeSimulator::FakeSimulator(Behaviour behaviour) : state_(std::make_shared<Stat
   state_->behaviour = std::move(behaviour);
 }
 
-records::Simulation FakeSimulator::operator()(const study::SimulationTask& task) const {
+records::Simulation FakeSimulator::operator()(const study::SimulationTask& task,
+                                              const solver::Callbacks&) const {
   records::Simulation simulation;
   if (state_->behaviour.delays) {
     thread_local std::mt19937_64 generator(std::random_device{}());
@@ -62,11 +63,10 @@ records::Simulation FakeSimulator::operator()(const study::SimulationTask& task)
     return simulation;
   }
   ++state_->ended;
-  const std::string scenario = task.scenario == nullptr ? "" : task.scenario->name;
-  ++state_->counts[Json(task.design).dump() + std::to_string(task.spacing) + scenario];
+  ++state_->counts[Json(task.design).dump() + std::to_string(task.spacing()) + task.scenario];
   const double a = scaled_angle(task.design), h = scaled_height(task.design);
   const double stress =
-      task.scenario == nullptr ? 0.0 : task.scenario->sets.begin()->second / 1000.0;
+      task.scenario.empty() ? 0.0 : task.spec.scene.material.yield_stress / 1000.0;
   simulation.ok = !(state_->behaviour.fails && state_->behaviour.fails(task.design));
   if (!simulation.ok) simulation.reason = "it broke";
   simulation.metrics = {{"barrier_1_peak_force_n_per_m", a * a + h * h + stress, ""},
@@ -94,12 +94,18 @@ std::function<bool()> FakeSimulator::cancelled() const {
 
 study::StudySummary FakeStudyTest::run(const designs::StudySpec& study, const std::string& out,
                                        const FakeSimulator& simulator, int jobs) {
+  return run(study, out, study::local_service(simulator), simulator.cancelled(), jobs);
+}
+
+study::StudySummary FakeStudyTest::run(const designs::StudySpec& study, const std::string& out,
+                                       const study::ServiceFactory& service,
+                                       std::function<bool()> cancelled, int jobs) {
   study::StudyRunOptions options;
   options.folder = folder / out;
   options.jobs = jobs;
   options.program.version = "test";
-  options.hooks.cancelled = simulator.cancelled();
-  options.simulator = simulator;
+  options.hooks.cancelled = std::move(cancelled);
+  options.service = service;
   return study::run_study(study, options);
 }
 

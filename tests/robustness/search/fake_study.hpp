@@ -42,7 +42,8 @@ class FakeSimulator {
   explicit FakeSimulator(Behaviour behaviour);
   FakeSimulator() : FakeSimulator(Behaviour{}) {}
 
-  records::Simulation operator()(const study::SimulationTask& task) const;
+  records::Simulation operator()(const study::SimulationTask& task,
+                                 const solver::Callbacks& callbacks) const;
 
   int ended() const;                          ///< simulations that were not cancelled
   std::map<std::string, int> counts() const;  ///< by design, spacing and scenario
@@ -64,6 +65,11 @@ class FakeStudyTest : public ::testing::Test {
  protected:
   study::StudySummary run(const designs::StudySpec& study, const std::string& out,
                           const FakeSimulator& simulator, int jobs = 1);
+
+  /// The same with any service; `cancelled` may be empty.
+  study::StudySummary run(const designs::StudySpec& study, const std::string& out,
+                          const study::ServiceFactory& service, std::function<bool()> cancelled,
+                          int jobs);
 
   /// What the log says, by id, without measured times.
   std::map<std::string, designs::Json> records(const std::string& out) const;

@@ -29,7 +29,7 @@ class Confirm : public FolderTest {
     options.folder = folder;
     options.spacing = spacing;
     options.jobs = jobs;
-    options.simulator = simulator;
+    options.service = study::local_service(simulator);
     return study::confirm_picks(study, picks, options);
   }
 

@@ -47,7 +47,8 @@ bool has_plate(const designs::Design& design) {
 FormulaSimulator::FormulaSimulator(Formula retention, Formula launch)
     : retention_(std::move(retention)), launch_(std::move(launch)) {}
 
-records::Simulation FormulaSimulator::operator()(const study::SimulationTask& task) const {
+records::Simulation FormulaSimulator::operator()(const study::SimulationTask& task,
+                                                 const solver::Callbacks&) const {
   records::Simulation simulation;
   const std::scoped_lock lock(state_->mutex);
   if (state_->left == 0) {
@@ -55,8 +56,7 @@ records::Simulation FormulaSimulator::operator()(const study::SimulationTask& ta
     return simulation;
   }
   if (state_->left > 0) --state_->left;
-  state_->asked.push_back(
-      {task.design, task.spacing, task.scenario == nullptr ? "" : task.scenario->name});
+  state_->asked.push_back({task.design, task.spacing(), task.scenario});
   simulation.ok = true;
   simulation.metrics = {{"retention_efficiency", retention_(task.design), ""},
                         {"launch_length_m", launch_(task.design), ""}};

@@ -36,7 +36,8 @@ class FormulaSimulator {
   using Formula = std::function<double(const designs::Design& design)>;
   FormulaSimulator(Formula retention, Formula launch);
 
-  records::Simulation operator()(const study::SimulationTask& task) const;
+  records::Simulation operator()(const study::SimulationTask& task,
+                                 const solver::Callbacks& callbacks) const;
 
   std::vector<Asked> asked() const;
   void cancel_after(int simulations);  ///< the next ones are cancelled

@@ -11,8 +11,8 @@
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/study/confirmation.hpp"
 #include "parapet/study/hooks.hpp"
+#include "parapet/study/local_service.hpp"
 #include "parapet/study/pick_rule.hpp"
-#include "parapet/study/simulator.hpp"
 
 namespace parapet::study {
 
@@ -27,7 +27,7 @@ struct ConfirmOptions {
   Hooks hooks;
   /// A design's confirmation begins: so many runs, each of every event.
   std::function<void(const Pick& pick, std::size_t runs)> on_pick;
-  Simulator simulator = solver_simulator();
+  ServiceFactory service = local_service();  ///< who simulates
 };
 
 struct ConfirmOutcome {

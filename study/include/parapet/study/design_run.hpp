@@ -8,12 +8,11 @@
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/records/provenance.hpp"
-#include "parapet/study/simulator.hpp"
+#include "parapet/study/simulation_service.hpp"
 
 namespace parapet::study {
 
-/// A design that is being simulated, event by event. Different events may be set from different
-/// threads at once.
+/// A design that is being simulated, event by event.
 class DesignRun {
  public:
   /// The study must outlive the run.
@@ -27,6 +26,11 @@ class DesignRun {
 
   /// The scenario of an event; null for the base event.
   const designs::Scenario* scenario(std::size_t event) const;
+
+  /// What is to be simulated for an event.
+  /// @param label for people; threads: that the simulation may use
+  /// @throws designs::InputError when the scene is impossible
+  SimulationTask task(std::size_t event, std::string label, int threads) const;
 
   void set(std::size_t event, records::Simulation simulation);
   const std::optional<records::Simulation>& simulation(std::size_t event) const {
@@ -49,9 +53,10 @@ class DesignRun {
   std::vector<std::optional<records::Simulation>> simulations_;
 };
 
-/// Simulates every event of a design, `jobs` side by side. Nothing when it was cancelled.
+/// Simulates every event of a design, as many side by side as the service has places; nothing else
+/// may be under way there. Empty when it was cancelled.
+/// @throws what went wrong in the service
 std::optional<DesignRun> run_design(const designs::StudySpec& study, const designs::Design& design,
-                                    double spacing, const Simulator& simulator, int jobs,
-                                    const solver::Callbacks& callbacks);
+                                    double spacing, SimulationService& service);
 
 }  // namespace parapet::study

@@ -6,11 +6,12 @@
 
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/solver/simulation.hpp"
+#include "parapet/study/simulation_service.hpp"
 
 namespace parapet::study {
 
-/// All may be empty. They are called from worker threads: on_simulation and cancelled from several
-/// at once (on_simulation_ended too), the others from one at a time.
+/// All may be empty. on_simulation and cancelled are called from several threads at once, the
+/// others from one at a time.
 struct Hooks {
   std::function<bool()> cancelled;  ///< polled often; true ends the run soon
   /// How far a simulation is: of a sweep's row, of an evaluation's id, or with scenarios of
@@ -25,5 +26,8 @@ struct Hooks {
   std::function<void(int designs, double hypervolume)> on_front;
   std::function<void(const std::string& sentence)> on_message;
 };
+
+/// The part of them that a service needs; `hooks` must outlive it.
+ServiceHooks service_hooks(const Hooks& hooks);
 
 }  // namespace parapet::study

@@ -1,9 +1,8 @@
 /// What the parts of a running study share.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "parapet/designs/study_spec.hpp"
@@ -11,7 +10,7 @@
 #include "parapet/records/study_folder.hpp"
 #include "parapet/study/design_run.hpp"
 #include "parapet/study/hooks.hpp"
-#include "parapet/study/simulator.hpp"
+#include "parapet/study/simulation_service.hpp"
 
 namespace parapet::study {
 
@@ -20,7 +19,7 @@ struct StudyContext {
   const designs::StudySpec& study;
   records::StudyFolder& folder;
   const records::ProgramInfo& program;
-  const Simulator& simulator;
+  SimulationService& service;
   const Hooks& hooks;
 
   bool cancelled() const { return hooks.cancelled && hooks.cancelled(); }
@@ -35,25 +34,33 @@ class DesignJob {
   std::size_t size() const { return run_.size(); }
   const std::string& id() const { return id_; }
 
-  enum class Outcome { cancelled, incomplete, complete };
-
-  /// Simulates one event, or takes it from what an earlier run left, and keeps it on disk.
-  /// Different events may be simulated at once; `complete` is returned once, by the last to end.
+  /// The task of one event. Empty when nothing is to be simulated: an earlier run left the event's
+  /// simulation, or the scene is impossible; the event has ended then.
+  /// @param threads that the simulation may use
   /// @throws records::FileError
-  Outcome simulate(std::size_t event, int threads);
+  std::optional<SimulationTask> begin(std::size_t event, int threads);
 
-  /// Writes the record of a complete design into the log. One thread at a time.
+  /// One event has ended: its simulation is kept, and with scenarios written to disk. A cancelled
+  /// one leaves the event open.
+  /// @throws records::FileError
+  void end(std::size_t event, records::Simulation simulation);
+
+  /// Whether every event has ended.
+  bool complete() const { return open_ == 0; }
+
+  /// Writes the record of a complete design into the log.
   /// @throws records::FileError
   records::EvaluationRecord store() const;
 
  private:
   std::string label(std::size_t event) const;
+  void keep(std::size_t event, records::Simulation simulation);
 
   const StudyContext& context_;
   std::string id_;
   std::string stage_;
   DesignRun run_;
-  std::atomic<std::size_t> open_;  // events that have not ended well or badly
+  std::size_t open_;  // events that have not ended
 };
 
 }  // namespace parapet::study

@@ -10,16 +10,16 @@
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/records/provenance.hpp"
 #include "parapet/study/hooks.hpp"
-#include "parapet/study/simulator.hpp"
+#include "parapet/study/local_service.hpp"
 
 namespace parapet::study {
 
 struct StudyRunOptions {
   std::filesystem::path folder;
-  int jobs = 1;
+  int jobs = 1;  ///< simulations side by side
   records::ProgramInfo program;
   Hooks hooks;
-  Simulator simulator = solver_simulator();
+  ServiceFactory service = local_service();  ///< who simulates
 };
 
 enum class StudyState { running, done, interrupted, failed };

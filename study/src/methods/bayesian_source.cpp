@@ -1,11 +1,11 @@
-#include "search_source.hpp"
+#include "bayesian_source.hpp"
 
 #include <algorithm>
 
 namespace parapet::study {
 
-SearchSource::SearchSource(const StudyContext& context, const SearchProblem& problem,
-                           bayesian::Search& search, AnswerOrder order, std::size_t lag)
+BayesianSource::BayesianSource(const StudyContext& context, const SearchProblem& problem,
+                               bayesian::Search& search, AnswerOrder order, std::size_t lag)
     : context_(context),
       problem_(problem),
       search_(search),
@@ -18,7 +18,7 @@ SearchSource::SearchSource(const StudyContext& context, const SearchProblem& pro
   std::reverse(unfinished_.begin(), unfinished_.end());
 }
 
-void SearchSource::tell_record(const records::EvaluationRecord& record) {
+void BayesianSource::tell_record(const records::EvaluationRecord& record) {
   const auto level = level_of(problem_, record.spacing);
   const bool fits =
       level && designs::check_design(context_.study, record.design, "the log").empty();
@@ -27,11 +27,11 @@ void SearchSource::tell_record(const records::EvaluationRecord& record) {
                         observation(context_.study, problem_, record));
 }
 
-void SearchSource::tell_log() {
+void BayesianSource::tell_log() {
   for (const auto& record : context_.folder.log().records()) tell_record(record);
 }
 
-void SearchSource::tell_log_before(const Proposal& proposal) {
+void BayesianSource::tell_log_before(const Proposal& proposal) {
   const auto& records = context_.folder.log().records();
   const auto* found = context_.folder.log().find(proposal.design, proposal.spacing);
   const auto place = found == nullptr ? log_told_.size()
@@ -45,7 +45,7 @@ void SearchSource::tell_log_before(const Proposal& proposal) {
   if (place < log_told_.size()) log_told_[place] = true;  // the answer to the question
 }
 
-bool SearchSource::tell_next() {
+bool BayesianSource::tell_next() {
   const auto found = answers_.find(told_);
   if (found == answers_.end()) return false;
   search_.tell(questions_[told_].value(), observation(context_.study, problem_, found->second));
@@ -54,7 +54,7 @@ bool SearchSource::tell_next() {
   return true;
 }
 
-bool SearchSource::told_enough() {
+bool BayesianSource::told_enough() {
   if (questions_.size() + 1 > lag_) needed_ = std::max(needed_, questions_.size() + 1 - lag_);
   while (told_ < needed_) {
     if (!tell_next()) return false;
@@ -62,13 +62,13 @@ bool SearchSource::told_enough() {
   return true;
 }
 
-bool SearchSource::within_budget() const {
+bool BayesianSource::within_budget() const {
   // The search does not know of the incomplete designs that are under way.
   const auto used = static_cast<std::size_t>(search_.evaluations()) + open_;
   return used < static_cast<std::size_t>(context_.study.method.max_evaluations);
 }
 
-std::optional<Proposal> SearchSource::ask() {
+std::optional<Proposal> BayesianSource::ask() {
   const auto suggestion = search_.ask();
   if (!suggestion) return std::nullopt;
   Proposal proposal;
@@ -88,7 +88,7 @@ std::optional<Proposal> SearchSource::ask() {
   return proposal;
 }
 
-std::optional<Proposal> SearchSource::next() {
+std::optional<Proposal> BayesianSource::propose() {
   if (!unfinished_.empty()) {
     const records::UnfinishedDesign one = unfinished_.back();
     unfinished_.pop_back();
@@ -108,7 +108,12 @@ std::optional<Proposal> SearchSource::next() {
   return std::nullopt;
 }
 
-void SearchSource::answered(std::size_t number, const records::EvaluationRecord& record) {
+std::vector<Proposal> BayesianSource::next() {
+  if (auto proposal = propose()) return {*std::move(proposal)};
+  return {};
+}
+
+void BayesianSource::answered(std::size_t number, const records::EvaluationRecord& record) {
   --open_;
   if (order_ != AnswerOrder::as_they_come) {
     answers_.emplace(number, record);
@@ -119,7 +124,7 @@ void SearchSource::answered(std::size_t number, const records::EvaluationRecord&
   }
 }
 
-void SearchSource::finish() {
+void BayesianSource::finish() {
   if (order_ == AnswerOrder::as_they_come) return;
   while (tell_next()) {
   }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
-#include "evaluation_pool.hpp"
+#include "design_source.hpp"
 #include "parapet/study/bayesian_problem.hpp"
+#include "parapet/study/study_context.hpp"
 
 namespace parapet::study {
 
@@ -25,14 +27,14 @@ enum class AnswerOrder {
 };
 
 /// Puts the search's questions and tells it the answers.
-class SearchSource : public DesignSource {
+class BayesianSource : public DesignSource {
  public:
   /// All must outlive the source.
   /// @param lag questions that may be open at once, >= 1; see AnswerOrder
-  SearchSource(const StudyContext& context, const SearchProblem& problem, bayesian::Search& search,
-               AnswerOrder order, std::size_t lag);
+  BayesianSource(const StudyContext& context, const SearchProblem& problem,
+                 bayesian::Search& search, AnswerOrder order, std::size_t lag);
 
-  std::optional<Proposal> next() override;
+  std::vector<Proposal> next() override;
   void answered(std::size_t number, const records::EvaluationRecord& record) override;
 
   /// Tells what is known and was not told yet, in order.
@@ -46,6 +48,7 @@ class SearchSource : public DesignSource {
   bool tell_next();
   bool within_budget() const;
   std::optional<Proposal> ask();
+  std::optional<Proposal> propose();
 
   const StudyContext& context_;
   const SearchProblem& problem_;
