@@ -116,7 +116,6 @@ TEST_F(Service, ThatFailsEndsTheStudyWithItsReason) {
 
 TEST_F(Service, ImpossibleScenesAreFailedSimulationsAndNeverSent) {
   Json json = fake_study();
-  // A reservoir higher than the domain that the case allows: see the message.
   json["scenarios"] = Json::parse(R"([
     {"name": "usual", "weight": 0.5, "set": {"yield_stress_pa": 90}},
     {"name": "stiff", "weight": 0.5, "set": {"yield_stress_pa": 100}}])");
@@ -124,7 +123,7 @@ TEST_F(Service, ImpossibleScenesAreFailedSimulationsAndNeverSent) {
     {"deflector_angle_deg": 1, "upstream_height_m": 0.05},
     {"deflector_angle_deg": 2, "upstream_height_m": 0.05}]})");
   designs::StudySpec study = parsed(json);
-  // As an expression or a choice could do it where no check at the door sees it.
+  // Too low to be resolved; past the check at the door.
   study.method.starts[0]["upstream_height_m"] = 1e-6;
   const FakeSimulator simulator;
   run(study, "out", simulator);

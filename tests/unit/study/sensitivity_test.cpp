@@ -7,6 +7,7 @@
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/study/bayesian_problem.hpp"
 #include "parapet/study/design_run.hpp"
+#include "parapet/study/local_service.hpp"
 
 namespace parapet::test {
 namespace {
@@ -20,9 +21,10 @@ void write_log(const designs::StudySpec& study, const std::filesystem::path& fol
   records::EvaluationLog log(folder / "evaluations.jsonl");
   const bayesian::Space space = study::make_space(study);
   optimizer::SobolSequence points(static_cast<int>(space.size()));
+  const auto service = study::local_service(simulator)(1, {});
   for (int k = 1; k <= count; ++k) {
     const Design design = study::to_design(study, space, space.from_unit(points.next()));
-    auto run = study::run_design(study, design, designs::finest_spacing(study), simulator, 1, {});
+    auto run = study::run_design(study, design, designs::finest_spacing(study), *service);
     records::EvaluationRecord record = run.value().record();
     record.id = records::evaluation_id(k);
     record.stage = "sample";
