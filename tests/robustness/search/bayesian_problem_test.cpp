@@ -111,7 +111,7 @@ TEST(StudyAsSearchProblem, ObservationsHaveRepeatableCosts) {
   const auto problem = study::make_search_problem(study);
   records::EvaluationRecord record;
   record.ok = true;
-  record.spacing = 0.02;
+  record.spacing = 0.01;
   record.cpu_time = 123.0;
   record.particle_steps = 2e6;
   record.metrics = {{"barrier_1_peak_force_n_per_m", 4.0, ""},

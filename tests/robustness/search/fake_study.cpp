@@ -13,6 +13,8 @@ using designs::Json;
 Json fake_study() {
   Json study = tiny_study();
   study["name"] = "fake";
+  // Nothing is simulated, but every design must give a scene: none too low to be resolved.
+  study["case"]["numerics"]["spacing_m"] = 0.01;
   study["objectives"] = Json::parse(R"([
     {"metric": "barrier_1_peak_force_n_per_m", "goal": "minimize"},
     {"metric": "launch_length_m", "goal": "minimize", "value_when_absent": 0}])");

@@ -82,11 +82,12 @@ TEST_F(Service, ThatPassesEverythingAsTextGivesTheSameLog) {
 
 TEST_F(Service, ThatRunsTheSolverFromTextGivesTheSameLog) {
   Json json = with_method(fake_study(), cobyla);
-  json["method"]["max_evaluations"] = 6;
+  json["case"]["numerics"]["spacing_m"] = 0.02;
+  json["method"]["max_evaluations"] = 8;
   run(parsed(json), "here", study::local_service(), {}, 1);
   run(parsed(json), "there", as_text(study::local_service()), {}, 1);
   auto here = records("here"), there = records("there");
-  EXPECT_EQ(here.size(), 6U);
+  EXPECT_EQ(here.size(), 8U);
   for (auto* log : {&here, &there}) {
     for (auto& [id, record] : *log) {
       record.erase("wall_time_s");
@@ -164,21 +165,22 @@ TEST_F(Service, PlacesAreSharedAsThreadsInRounds) {
 }
 
 TEST_F(Service, OptimiserStoppedAnywhereResumesToTheSameLog) {
-  for (const char* algorithm : {"COBYLA", "ISRES", "MLSL"}) {
+  const std::map<std::string, int> algorithms{{"COBYLA", 14}, {"ISRES", 24}, {"MLSL", 14}};
+  for (const auto& [name, evaluations] : algorithms) {
     Json json = with_method(fake_study_with_scenarios(), cobyla);
-    json["method"]["algorithm"] = algorithm;
+    json["method"]["algorithm"] = name;
+    json["method"]["max_evaluations"] = evaluations;
     const auto study = parsed(json);
-    const std::string name = algorithm;
     run(study, name, FakeSimulator());
     for (const int jobs : {1, 3}) {
-      for (const int stop : {0, 1, 4, 11, 12, 13, 25, 39}) {
+      for (const int stop : {1, 11, 13, 39}) {
         const std::string out = name + std::to_string(jobs) + "-" + std::to_string(stop);
         const FakeSimulator disturbed({.delays = jobs > 1, .fails = {}, .cancel_after = stop});
         EXPECT_EQ(run(study, out, disturbed, jobs).state, StudyState::interrupted) << out;
         const FakeSimulator again({.delays = jobs > 1, .fails = {}, .cancel_after = -1});
         EXPECT_EQ(run(study, out, again, jobs).state, StudyState::done) << out;
         EXPECT_EQ(records(out), records(name)) << out;
-        EXPECT_EQ(disturbed.ended() + again.ended(), 3 * 14) << out << ": nothing twice";
+        EXPECT_EQ(disturbed.ended() + again.ended(), 3 * evaluations) << out << ": nothing twice";
       }
     }
   }
