@@ -92,18 +92,35 @@ std::optional<Proposal> BayesianSource::propose() {
   if (!unfinished_.empty()) {
     const records::UnfinishedDesign one = unfinished_.back();
     unfinished_.pop_back();
+    resumed_.emplace(std::pair(one.design, one.spacing), questions_.size());
     questions_.emplace_back();
     ++open_;
     return Proposal{.stage = "search", .design = one.design, .spacing = one.spacing};
   }
   if (order_ == AnswerOrder::as_they_come) {
-    return open_ == 0 || within_budget() ? ask() : std::nullopt;
+    return propose_as_they_come();
   }
   while (told_enough()) {
     if (auto proposal = ask()) return proposal;
     // Nothing sensible before another answer: exactly one more, whichever are there already.
     if (search_.stop_reason() != bayesian::StopReason::none || told_ == questions_.size()) break;
     needed_ = told_ + 1;
+  }
+  return std::nullopt;
+}
+
+/// The search does not know of the incomplete designs under way, and may well ask for one of them
+/// again: the answer is then told once, as the answer to its question.
+std::optional<Proposal> BayesianSource::propose_as_they_come() {
+  while (open_ == 0 || within_budget()) {
+    auto proposal = ask();
+    if (!proposal) return std::nullopt;
+    const auto found = resumed_.find(std::pair(proposal->design, proposal->spacing));
+    if (found == resumed_.end()) return proposal;
+    questions_[found->second] = questions_.back();
+    questions_.pop_back();
+    --open_;
+    resumed_.erase(found);
   }
   return std::nullopt;
 }
@@ -115,6 +132,7 @@ std::vector<Proposal> BayesianSource::next() {
 
 void BayesianSource::answered(std::size_t number, const records::EvaluationRecord& record) {
   --open_;
+  std::erase_if(resumed_, [&](const auto& one) { return one.second == number; });
   if (order_ != AnswerOrder::as_they_come) {
     answers_.emplace(number, record);
   } else if (questions_[number]) {

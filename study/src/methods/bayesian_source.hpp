@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "design_source.hpp"
@@ -49,6 +50,7 @@ class BayesianSource : public DesignSource {
   bool within_budget() const;
   std::optional<Proposal> ask();
   std::optional<Proposal> propose();
+  std::optional<Proposal> propose_as_they_come();
 
   const StudyContext& context_;
   const SearchProblem& problem_;
@@ -57,6 +59,8 @@ class BayesianSource : public DesignSource {
   std::size_t lag_;
   std::vector<bool> log_told_;                         // records that the log held at the beginning
   std::vector<records::UnfinishedDesign> unfinished_;  // still to be proposed, last first
+  // incomplete designs under way that the search has not asked for: number by design and spacing
+  std::map<std::pair<designs::Design, double>, std::size_t> resumed_;
   std::vector<std::optional<int>> questions_;  // the search's id by number; empty: not its question
   std::map<std::size_t, records::EvaluationRecord> answers_;  // not told yet, by number
   std::size_t open_ = 0;                                      // proposals without an answer
