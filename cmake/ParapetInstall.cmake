@@ -40,5 +40,5 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/parapet-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/parapet-config-version.cmake
   DESTINATION ${parapet_package_dir})
 
-install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
