@@ -7,6 +7,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export CI=${CI:-true} DEBIAN_FRONTEND=noninteractive
+# shellcheck disable=SC2034  # the stages use it
 jobs=$(nproc)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
