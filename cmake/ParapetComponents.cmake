@@ -57,7 +57,7 @@ parapet_component(surrogate FOLDER optimizer/surrogate NEEDS optimizer math PACK
 parapet_component(acquisition FOLDER optimizer/acquisition NEEDS math PACKAGES Eigen3)
 parapet_component(bayesian FOLDER optimizer/bayesian NEEDS optimizer surrogate acquisition)
 parapet_component(study NEEDS math designs records optimizer bayesian PACKAGES fmt Threads)
-parapet_component(reports NEEDS designs records study PACKAGES nlohmann_json fmt Eigen3 cairo)
+parapet_component(reports NEEDS math designs records study PACKAGES nlohmann_json fmt Eigen3 cairo)
 parapet_component(validation PROGRAMS NEEDS solver designs reports
                   PACKAGES nlohmann_json fmt Eigen3)
 parapet_component(cli PROGRAMS NEEDS solver designs optimizer study reports validation

@@ -34,7 +34,7 @@ bool Metrics::has(const std::string& key, const std::string& pointer, Findings& 
 
 bool Metrics::may_be_absent(const std::string& key) const {
   const solver::MetricInfo* info = find(always_, key);
-  return info == nullptr || info->may_be_absent;
+  return info == nullptr || info->may_be_absent();
 }
 
 }  // namespace parapet::designs

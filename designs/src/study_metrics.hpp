@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "findings.hpp"
+#include "parapet/solver/metric_catalog.hpp"
 #include "study_targets.hpp"
 
 namespace parapet::designs {

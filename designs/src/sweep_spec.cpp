@@ -3,6 +3,7 @@
 
 #include "case_parts.hpp"
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/solver/metric_catalog.hpp"
 #include "words.hpp"
 
 namespace parapet::designs {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "key_text.hpp"
+#include "parapet/math/units.hpp"
 #include "parapet/study/sweep_result.hpp"
 
 namespace parapet::reports {
@@ -17,21 +18,20 @@ using designs::Json;
 struct Column {
   const char* key;
   const char* heading;
-  const char* unit;
   int decimals;
 };
 
 constexpr std::array metric_columns{
-    Column{"retention_efficiency", "retention", "-", 3},
-    Column{"retention_efficiency_total", "total", "-", 3},
-    Column{"impact_x_m", "impact x", "m", 3},
-    Column{"launch_length_m", "launch", "m", 3},
-    Column{"launch_angle_deg", "angle", "deg", 1},
-    Column{"dead_zone_ratio", "D_F", "-", 2},
-    Column{"flow_depth_max_m", "h_max", "m", 4},
-    Column{"impact_time_s", "impact t", "s", 3},
-    Column{"barrier_1_peak_force_n_per_m", "F peak 1", "N/m", 0},
-    Column{"barrier_2_peak_force_n_per_m", "F peak 2", "N/m", 0},
+    Column{"retention_efficiency", "retention", 3},
+    Column{"retention_efficiency_total", "total", 3},
+    Column{"impact_x_m", "impact x", 3},
+    Column{"launch_length_m", "launch", 3},
+    Column{"launch_angle_deg", "angle", 1},
+    Column{"dead_zone_ratio", "D_F", 2},
+    Column{"flow_depth_max_m", "h_max", 4},
+    Column{"impact_time_s", "impact t", 3},
+    Column{"barrier_1_peak_force_n_per_m", "F peak 1", 0},
+    Column{"barrier_2_peak_force_n_per_m", "F peak 2", 0},
 };
 
 constexpr const char* legend =
@@ -86,6 +86,12 @@ Cell metric_cell(const records::SweepRowResult& row, const Column& column) {
           published != nullptr ? note_text(value, *published) : ""};
 }
 
+/// "m/s"; "-" for a pure number.
+std::string unit_text(const char* key) {
+  const std::string_view unit = math::unit_of(key).plain;
+  return unit.empty() ? "-" : std::string(unit);
+}
+
 /// One column as lines of equal width: heading, unit, then the rows.
 std::vector<std::string> column_lines(const std::string& heading, const std::string& unit,
                                       const std::vector<Cell>& cells, bool right) {
@@ -123,7 +129,7 @@ std::vector<std::vector<std::string>> table_columns(
   }));
   for (const Column& entry : metric_columns) {
     columns.push_back(
-        column(entry.heading, entry.unit, true,
+        column(entry.heading, unit_text(entry.key), true,
                [&](const records::SweepRowResult& row) { return metric_cell(row, entry); }));
   }
   columns.push_back(column("stop t", "s", true, [](const records::SweepRowResult& row) {

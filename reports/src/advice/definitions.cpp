@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "parapet/solver/result.hpp"
+#include "parapet/solver/metric_catalog.hpp"
 
 namespace parapet::reports {
 namespace {

@@ -9,6 +9,7 @@
 #include "gauge_scene.hpp"
 #include "launch.hpp"
 #include "parapet/solver/simulation.hpp"
+#include "run_readings.hpp"
 
 namespace parapet::solver {
 
@@ -29,6 +30,7 @@ class Recorder {
   std::int64_t max_particles_inside_walls() const { return inside_; }
 
  private:
+  RunReadings readings() const;
   double value(std::size_t row, const std::string& column) const;
   std::vector<double> column(const std::string& name) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "parapet/solver/metric_catalog.hpp"
 #include "parapet/study/problem.hpp"
 #include "parapet/study/scoring.hpp"
 #include "parapet/study/simulator.hpp"
@@ -40,28 +41,16 @@ std::vector<double> known_noise(const designs::StudySpec& study, const Quantity&
   return noise;
 }
 
-bool has_ending(const std::string& key, const char* ending) {
-  return key.ends_with(ending);
-}
-
-/// The values that a metric can have at all. Only what follows from its definition: forces,
-/// moments, volumes and discharges are largest values over a run that begins with none, speeds and
-/// energies are magnitudes, times begin at 0.
+/// The values that a metric can have at all, by its definition.
 void set_bounds(const Quantity& quantity, bayesian::Metric& metric) {
   if (quantity.statistic == Statistic::probability) {
     metric.least = 0.0;
     metric.greatest = 1.0;
     return;
   }
-  const std::string& key = quantity.metric;
-  if (key.find("retention_efficiency") != std::string::npos) {
-    metric.least = 0.0;
-    metric.greatest = 1.0;
-  }
-  for (const char* ending : {"_force_n_per_m", "_moment_nm_per_m", "_m3_per_m", "_discharge_m2_s",
-                             "_time_s", "_j_per_m", "_speed_m_s", "dead_zone_length_m",
-                             "dead_zone_ratio", "flow_depth_max_m", "run_up_height_m"}) {
-    if (has_ending(key, ending)) metric.least = 0.0;
+  if (const auto info = solver::find_metric_info(quantity.metric)) {
+    metric.least = info->least;
+    metric.greatest = info->greatest;
   }
   if (quantity.value_when_absent) {
     metric.least = std::min(metric.least, *quantity.value_when_absent);
@@ -117,7 +106,7 @@ class MetricList {
   bool may_be_absent(const std::string& key) const {
     const auto found = std::find_if(catalog_.begin(), catalog_.end(),
                                     [&](const auto& info) { return info.key == key; });
-    return found == catalog_.end() || found->may_be_absent;
+    return found == catalog_.end() || found->may_be_absent();
   }
 
   const designs::StudySpec& study_;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "parapet/solver/metric_catalog.hpp"
+
 namespace parapet::study {
 namespace {
 

@@ -15,17 +15,21 @@
 namespace parapet::designs {
 namespace {
 
-/// One document without references to others: the case's definitions join the outer ones.
+/// One document without references to others: their definitions join the outer ones.
 nlohmann::json bundled(const std::string& kind) {
   std::string text = embedded_schema(kind);
-  const std::string outer = "case.schema.json#/definitions";
-  for (std::size_t at = text.find(outer); at != std::string::npos; at = text.find(outer)) {
-    text.replace(at, outer.size(), "#/definitions");
+  for (const std::string other : {"case", "metrics"}) {
+    const std::string outer = other + ".schema.json#/definitions";
+    for (std::size_t at = text.find(outer); at != std::string::npos; at = text.find(outer)) {
+      text.replace(at, outer.size(), "#/definitions");
+    }
   }
   nlohmann::json schema = nlohmann::json::parse(text);
-  const auto inner = nlohmann::json::parse(embedded_schema("case"));
-  for (const auto& [key, definition] : inner.at("definitions").items()) {
-    if (kind != "case") schema["definitions"][key] = definition;
+  for (const char* other : {"case", "metrics"}) {
+    const auto inner = nlohmann::json::parse(embedded_schema(other));
+    for (const auto& [key, definition] : inner.at("definitions").items()) {
+      if (kind != other) schema["definitions"][key] = definition;
+    }
   }
   schema.erase("$id");
   return schema;

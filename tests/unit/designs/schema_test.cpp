@@ -10,7 +10,8 @@
 namespace parapet::designs {
 namespace {
 
-constexpr const char* documents[] = {"case.schema.json", "study.schema.json", "sweep.schema.json"};
+constexpr const char* documents[] = {"case.schema.json", "metrics.schema.json", "study.schema.json",
+                                     "sweep.schema.json"};
 
 // What the walk over the schemas understands. A keyword beyond these would be ignored in silence.
 const std::set<std::string> keywords{"$schema",
@@ -23,6 +24,7 @@ const std::set<std::string> keywords{"$schema",
                                      "const",
                                      "enum",
                                      "default",
+                                     "examples",  // for editors
                                      "minimum",
                                      "maximum",
                                      "exclusiveMinimum",

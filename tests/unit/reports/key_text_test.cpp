@@ -4,7 +4,8 @@
 
 #include <limits>
 
-#include "parapet/solver/result.hpp"
+#include "parapet/math/units.hpp"
+#include "parapet/solver/metric_catalog.hpp"
 
 namespace parapet::reports {
 namespace {
@@ -17,13 +18,11 @@ TEST(KeyText, SpellsAKeyOut) {
   EXPECT_EQ(key_label("retention_efficiency"), "retention efficiency");
 }
 
-/// A key whose unit is not known would be printed as a pure number.
-TEST(KeyText, KnowsTheUnitOfEveryMetricWithOne) {
+/// The suffix of a key and the table of metrics name the same unit.
+TEST(KeyText, KnowsTheUnitOfEveryMetric) {
   for (const solver::MetricInfo& info : solver::metric_catalog(2)) {
-    const bool pure = info.key.ends_with("efficiency") || info.key.ends_with("efficiency_total") ||
-                      info.key.ends_with("ratio") || info.key.ends_with("number") ||
-                      info.key.ends_with("dead_zone_length");
-    EXPECT_EQ(bracketed_unit(info.key).empty(), pure) << info.key;
+    EXPECT_EQ(math::unit_of(info.key).plain, info.unit) << info.key;
+    EXPECT_EQ(bracketed_unit(info.key).empty(), info.unit.empty()) << info.key;
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "channel.hpp"
 #include "gauges/recorder.hpp"
+#include "parapet/solver/metric_catalog.hpp"
 
 namespace parapet::solver {
 namespace {
@@ -78,7 +79,7 @@ TEST(Simulation, EveryCataloguedMetricIsThereInOrderWithAValueOrAReason) {
     for (std::size_t k = 0; k < catalog.size(); ++k) {
       EXPECT_EQ(result.metrics[k].key, catalog[k].key);
       EXPECT_EQ(result.metrics[k].value.has_value(), result.metrics[k].absent_reason.empty());
-      EXPECT_TRUE(result.metrics[k].value || catalog[k].may_be_absent) << catalog[k].key;
+      EXPECT_TRUE(result.metrics[k].value || catalog[k].may_be_absent()) << catalog[k].key;
       EXPECT_FALSE(catalog[k].definition.empty());
       keys.insert(catalog[k].key);
     }

@@ -44,25 +44,14 @@ struct MetricUncertainty {
   std::vector<double> level_mean;     ///< [n_levels] mean of the runs there
 };
 
-/// One scalar answer. Keys carry their unit as a suffix; a value that does not exist (the launch
-/// length when nothing overflows) is absent, with the reason.
+/// One scalar answer; metric_catalog.hpp says what each means. Keys carry their unit as a suffix; a
+/// value that does not exist (the launch length when nothing overflows) is absent, with the reason.
 struct Metric {
   std::string key;
   std::optional<double> value;
   std::string absent_reason;                          ///< empty when there is a value
   std::optional<MetricUncertainty> uncertainty = {};  ///< when it was asked for and can be told
 };
-
-/// What a metric means, for docs, checks and reports.
-struct MetricInfo {
-  std::string key;
-  std::string definition;  ///< one sentence
-  bool may_be_absent = false;
-};
-
-/// Every metric of a scene with this many barriers, in the order in which results list them.
-/// Barrier metrics are keyed barrier_K_..., K counted from 1 upstream.
-std::vector<MetricInfo> metric_catalog(int n_barriers);
 
 /// Time series sampled at the chosen interval: a table, one column per quantity.
 struct Series {

@@ -1,0 +1,73 @@
+// The table of metrics: one entry for each, with the gauge that reads it off a run. Results, the
+// catalogue, docs/metrics.md, the schema and the surrogates' bounds come from here.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parapet/solver/result.hpp"
+#include "run_readings.hpp"
+
+namespace parapet::solver {
+
+// A value, or the reason why there is none: one of the entry's absent_when.
+struct Reading {
+  Reading(double number) : value(number) {}
+  Reading(std::string_view reason) : absent_reason(reason) {}
+  Reading(const std::optional<double>& number, std::string_view reason)
+      : value(number), absent_reason(number ? std::string_view() : reason) {}
+
+  std::optional<double> value;
+  std::string_view absent_reason;
+};
+
+// `barrier` counts from 0; it matters where every barrier has the metric.
+using Gauge = Reading (*)(const RunReadings& run, std::size_t barrier);
+
+struct MetricEntry {
+  std::string_view key;   // ends in its unit; begins with barrier_K_ where every barrier has it
+  std::string_view unit;  // as messages write it; empty for a pure number
+  // The values that it can have at all, by its definition alone: what a surrogate may predict.
+  double least = -std::numeric_limits<double>::infinity();
+  double greatest = std::numeric_limits<double>::infinity();
+  // Every reason for which a run may end without it; without one there is always a value.
+  std::array<std::string_view, 2> absent_when = {};
+  std::string_view definition;
+  Gauge gauge;
+};
+
+constexpr std::string_view barrier_placeholder = "barrier_K_";
+
+struct MetricTable {
+  std::span<const MetricEntry> with_barrier;  // of a run with at least one barrier
+  std::span<const MetricEntry> every_run;
+  std::span<const MetricEntry> each_barrier;
+};
+
+MetricTable metric_table();
+
+// "barrier_2_arrival_time_s" for an entry of every barrier and 1.
+std::string barrier_key(const MetricEntry& entry, std::size_t barrier);
+
+// Calls visit(key, entry, barrier) in the order of results.
+template <typename Visit>
+void for_each_metric(std::size_t n_barriers, Visit visit) {
+  const MetricTable table = metric_table();
+  if (n_barriers > 0) {
+    for (const MetricEntry& entry : table.with_barrier) visit(std::string(entry.key), entry, 0);
+  }
+  for (const MetricEntry& entry : table.every_run) visit(std::string(entry.key), entry, 0);
+  for (std::size_t k = 0; k < n_barriers; ++k) {
+    for (const MetricEntry& entry : table.each_barrier) visit(barrier_key(entry, k), entry, k);
+  }
+}
+
+// All metrics of a run, in the order of results.
+std::vector<Metric> read_metrics(const RunReadings& run);
+
+}  // namespace parapet::solver

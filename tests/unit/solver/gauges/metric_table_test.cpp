@@ -1,0 +1,159 @@
+// The table of metrics and its gauges, on readings made by hand.
+#include "gauges/metric_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "parapet/solver/metric_catalog.hpp"
+
+namespace parapet::solver {
+namespace {
+
+BarrierReadings hit_barrier(double retained) {
+  BarrierReadings barrier;
+  barrier.retained = retained;
+  barrier.run_up = 0.08;
+  barrier.arrival = 0.9;
+  barrier.peak = {250.0, 1.1, 12.0};
+  return barrier;
+}
+
+RunReadings open_channel() {
+  RunReadings run;
+  run.gravity = 9.81;
+  run.slope = 0.4;
+  run.released_volume = 0.06;
+  run.front = {0.8, 2.0};
+  run.energy = EnergyPhases{4.0, 1.0, EnergyPhases::Rise{1.0, 2.0}, 3.0};
+  run.deepest = DeepestFlow{0.04, 1.2};
+  return run;
+}
+
+RunReadings two_barriers() {
+  RunReadings run = open_channel();
+  run.deepest.reset();
+  run.first_foot_x = 1.0;
+  run.deflector_length = 0.05;
+  run.peak_loss_rate = 0.5;
+  run.dead_zone_length = 0.1;
+  run.impact = LaunchGauge::Impact{1.5, 1.4, 2.5};
+  run.launch = LaunchGauge::Launch{1.5, 0.5, 0.12, 1.02};
+  run.barriers = {hit_barrier(0.7), hit_barrier(0.9)};
+  return run;
+}
+
+/// Runs of every kind: all there, and each thing that may be missing missing in one of them.
+std::vector<RunReadings> runs_of_every_kind() {
+  std::vector<RunReadings> runs{open_channel(), two_barriers()};
+  runs.emplace_back().deepest = DeepestFlow{0.0, 0.0};  // nothing came to the monitored place
+  RunReadings& nothing = runs.emplace_back();
+  nothing.barriers.resize(2);
+  for (const std::size_t full : {0U, 1U}) {
+    RunReadings still = runs[full];
+    still.energy->rise.reset();
+    still.energy->plateau_time.reset();
+    runs.push_back(still);
+  }
+  return runs;
+}
+
+std::map<std::string, Metric> by_key(const std::vector<Metric>& metrics) {
+  std::map<std::string, Metric> map;
+  for (const Metric& metric : metrics) map[metric.key] = metric;
+  return map;
+}
+
+TEST(MetricTable, EveryKeyStandsOnce) {
+  std::set<std::string> keys;
+  for (const MetricInfo& info : metric_catalog(2)) {
+    EXPECT_TRUE(keys.insert(info.key).second) << info.key << " stands twice";
+    EXPECT_LT(info.least, info.greatest) << info.key;
+  }
+  for (const MetricEntry& entry : metric_table().each_barrier) {
+    EXPECT_TRUE(entry.key.starts_with(barrier_placeholder)) << entry.key;
+  }
+}
+
+TEST(MetricTable, ResultsAndCatalogueHoldTheSameKeysInTheSameOrder) {
+  for (const RunReadings& run : runs_of_every_kind()) {
+    const auto catalog = metric_catalog(static_cast<int>(run.barriers.size()));
+    const auto metrics = read_metrics(run);
+    ASSERT_EQ(metrics.size(), catalog.size());
+    for (std::size_t k = 0; k < metrics.size(); ++k) EXPECT_EQ(metrics[k].key, catalog[k].key);
+  }
+}
+
+/// A gauge gives a value in the entry's range or one of the entry's reasons, and each reason that
+/// the entry names comes from its gauge.
+TEST(MetricTable, GaugesKeepTheRangeAndTheReasonsOfTheirEntry) {
+  std::map<std::string, std::set<std::string>> unused;
+  for (const MetricInfo& info : metric_definitions()) {
+    unused[info.key] = {info.absent_when.begin(), info.absent_when.end()};
+  }
+  for (const RunReadings& run : runs_of_every_kind()) {
+    for_each_metric(run.barriers.size(),
+                    [&](const std::string& key, const MetricEntry& entry, std::size_t barrier) {
+                      const Reading reading = entry.gauge(run, barrier);
+                      ASSERT_EQ(reading.value.has_value(), reading.absent_reason.empty()) << key;
+                      if (reading.value) {
+                        EXPECT_GE(*reading.value, entry.least) << key;
+                        EXPECT_LE(*reading.value, entry.greatest) << key;
+                        return;
+                      }
+                      EXPECT_EQ(std::ranges::count(entry.absent_when, reading.absent_reason), 1)
+                          << key << ": " << reading.absent_reason;
+                      unused[std::string(entry.key)].erase(std::string(reading.absent_reason));
+                    });
+  }
+  for (const auto& [key, reasons] : unused) {
+    EXPECT_TRUE(reasons.empty()) << key << " is never absent because: " << *reasons.begin();
+  }
+}
+
+TEST(MetricTable, GaugesReadWhatTheirEntriesDefine) {
+  auto metrics = by_key(read_metrics(two_barriers()));
+  const auto value = [&](const char* key) { return metrics.at(key).value.value(); };
+  EXPECT_EQ(value("retention_efficiency"), 0.7);
+  EXPECT_EQ(value("retention_efficiency_total"), 0.9);
+  EXPECT_EQ(value("barrier_2_retention_efficiency"), 0.9);
+  EXPECT_NEAR(value("launch_length_m"), 0.4, 1e-15);
+  EXPECT_EQ(value("impact_x_m"), 1.4);
+  EXPECT_NEAR(value("launch_angle_deg"), 0.5 * 180.0 / 3.14159265358979, 1e-12);
+  EXPECT_NEAR(value("dead_zone_ratio"), 2.0, 1e-15);
+  EXPECT_NEAR(value("overflow_volume_m3_per_m"), 0.3 * 0.06, 1e-15);
+  EXPECT_NEAR(value("barrier_2_overtopping_volume_m3_per_m"), 0.1 * 0.06, 1e-15);
+  EXPECT_NEAR(value("peak_overflow_discharge_m2_s"), 0.5 * 0.06, 1e-15);
+  EXPECT_EQ(value("kinetic_energy_minimum_j_per_m"), 1.0);
+  EXPECT_EQ(value("kinetic_energy_overflow_peak_j_per_m"), 2.0);
+  EXPECT_EQ(value("barrier_1_peak_moment_nm_per_m"), 12.0);
+  EXPECT_FALSE(metrics.at("flow_depth_max_m").value);
+
+  metrics = by_key(read_metrics(open_channel()));
+  EXPECT_NEAR(value("froude_number"), 2.0 / std::sqrt(9.81 * std::cos(0.4) * 0.04), 1e-14);
+  EXPECT_FALSE(metrics.contains("retention_efficiency"));
+}
+
+TEST(MetricCatalog, FindsKeysOfAnyBarrier) {
+  const auto force = find_metric_info("barrier_12_peak_force_n_per_m");
+  ASSERT_TRUE(force);
+  EXPECT_EQ(force->key, "barrier_12_peak_force_n_per_m");
+  EXPECT_EQ(force->unit, "N/m");
+  EXPECT_EQ(force->least, 0.0);
+  EXPECT_FALSE(force->may_be_absent());
+  EXPECT_TRUE(find_metric_info("launch_length_m")->may_be_absent());
+  for (const MetricInfo& info : metric_catalog(3)) {
+    EXPECT_EQ(find_metric_info(info.key)->definition, info.definition) << info.key;
+  }
+  for (const char* wrong :
+       {"", "barrier_0_arrival_time_s", "barrier_arrival_time_s", "barrier_K_arrival_time_s",
+        "barrier_01_arrival_time_s", "barrier_1_launch_length_m", "peak_force_n_per_m"}) {
+    EXPECT_FALSE(find_metric_info(wrong)) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace parapet::solver
