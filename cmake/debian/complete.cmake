@@ -43,6 +43,9 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")
   compress(${doc}/changelog.Debian)
+  if(EXISTS ${share}/man/man1/parapet.1)  # one page for both programs
+    file(WRITE ${share}/man/man1/parapet-validate.1 ".so man1/parapet.1\n")
+  endif()
   file(GLOB manual_pages ${share}/man/man1/*.1)
   foreach(page IN LISTS manual_pages)
     compress(${page})
