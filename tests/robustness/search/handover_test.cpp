@@ -43,9 +43,9 @@ TEST(HandoverOfQuestions, EachBatchIsAnsweredInItsOrder) {
     ASSERT_EQ(questions.size(), 2U);
     EXPECT_EQ(questions[1].design.at("x"), 2.0);
     EXPECT_TRUE(handover.take().empty()) << "answers are due";
-    handover.answer(1, record("b" + std::to_string(round)));
+    handover.answer(1, record(std::string("b").append(std::to_string(round))));
     EXPECT_TRUE(handover.take().empty()) << "one still is";
-    handover.answer(0, record("a" + std::to_string(round)));
+    handover.answer(0, record(std::string("a").append(std::to_string(round))));
   }
   EXPECT_TRUE(handover.take().empty()) << "the asker has ended";
   asker.join();
