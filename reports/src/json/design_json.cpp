@@ -62,10 +62,6 @@ Json optional_json(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-const char* word(designs::Goal goal) {
-  return goal == designs::Goal::maximize ? "maximize" : "minimize";
-}
-
 Json to_json(const WrittenDesign& design) {
   Json json = Json::object();
   for (const WrittenVariable& variable : design) {
@@ -77,7 +73,7 @@ Json to_json(const WrittenDesign& design) {
 Json to_json(const ObjectiveTerms& terms) {
   Json json{{"name", terms.name},
             {"metric", terms.metric.empty() ? terms.name : terms.metric},
-            {"goal", word(terms.goal)}};
+            {"goal", goal_word(terms.goal)}};
   if (!terms.expression.empty()) json.emplace("expression", terms.expression);
   if (!terms.statistic.empty()) json.emplace("statistic", terms.statistic);
   return json;

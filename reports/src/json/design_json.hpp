@@ -11,8 +11,6 @@ namespace parapet::reports {
 /// Null for what is missing or not finite.
 designs::Json optional_json(const std::optional<double>& value);
 
-const char* word(designs::Goal goal);
-
 /// {name: number or option}
 designs::Json to_json(const WrittenDesign& design);
 

@@ -41,7 +41,7 @@ Json to_json(const LeastViolatingDesign& least) {
 Json to_json(const ObjectiveChange& change) {
   return {{"name", change.name},
           {"metric", change.of},
-          {"goal", word(change.goal)},
+          {"goal", goal_word(change.goal)},
           {"start", optional_json(change.start)},
           {"best", optional_json(change.best)},
           {"change", optional_json(change.change)},

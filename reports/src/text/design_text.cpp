@@ -56,10 +56,6 @@ std::string objective_value(const ObjectiveTerms& objective, const std::optional
   return with_unit(value, unit_key(objective));
 }
 
-std::string goal_word(designs::Goal goal) {
-  return goal == designs::Goal::maximize ? "maximize" : "minimize";
-}
-
 std::string estimate_text(const study::Estimate& estimate) {
   if (!estimate.median) return "-";
   return fmt::format("{} ({} to {})", number_text(estimate.median), number_text(estimate.lower_95),

@@ -23,9 +23,6 @@ std::string objective_label(const ObjectiveTerms& objective);
 /// "0.25 m".
 std::string objective_value(const ObjectiveTerms& objective, const std::optional<double>& value);
 
-/// "maximize".
-std::string goal_word(designs::Goal goal);
-
 /// What a constraint limits, with unit and statistic; its name where it limits a formula.
 std::string constraint_label(const ConstraintResult& constraint);
 

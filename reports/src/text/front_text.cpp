@@ -120,8 +120,9 @@ std::string front_section(const Recommendation& advice) {
   const std::vector<FrontDesign>& front = advice.front;
   if (front.empty()) return "";
   std::string text = fmt::format(
-      "## The trade-off\n\n{} evaluated design{} that meet{} every constraint {} bettered by no "
-      "other such design in every objective: the front. Values are as simulated",
+      "## The trade-off\n\n{} evaluated design{} that meet{} every constraint {} dominated by no "
+      "other such design (at least as good in every objective and better in one): the front. "
+      "Values are as simulated",
       front.size(), front.size() == 1 ? "" : "s", front.size() == 1 ? "s" : "",
       front.size() == 1 ? "is" : "are");
   text += any_estimate(front)

@@ -21,6 +21,11 @@ struct WrittenVariable {
 /// Variables that do not exist under the options taken are left out.
 using WrittenDesign = std::vector<WrittenVariable>;
 
+/// "maximize" or "minimize", as specs say it.
+inline const char* goal_word(designs::Goal goal) {
+  return goal == designs::Goal::maximize ? "maximize" : "minimize";
+}
+
 /// What an objective is, whatever its value.
 struct ObjectiveTerms {
   std::string name;        ///< in the spec
