@@ -116,7 +116,7 @@ void print_front(const study::StudySummary& summary, const designs::StudySpec& s
     fmt::print("no design meets every constraint\n");
     return;
   }
-  fmt::print("{}: no design betters one of these in every objective\n{}",
+  fmt::print("{}: no feasible design dominates one of these\n{}",
              front_text(static_cast<int>(summary.pareto.size()), summary.hypervolume),
              front_table(study, summary.pareto));
 }

@@ -165,11 +165,10 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   writing([&] { recorder.emplace(options, spec, folder); });
   const int threads = options.uncertainty
                           ? 1
-                          : options.threads.value_or(study::worthwhile_threads(spec, core_count()));
-  const solver::Result result =
-      options.uncertainty
-          ? run_with_uncertainty(session, spec, options.threads.value_or(core_count()), *recorder)
-          : run_solver(session, spec, threads, *recorder);
+                          : options.threads.value_or(study::worthwhile_threads(spec, options.jobs));
+  const solver::Result result = options.uncertainty
+                                    ? run_with_uncertainty(session, spec, options.jobs, *recorder)
+                                    : run_solver(session, spec, threads, *recorder);
   if (result.status == solver::Status::cancelled) {
     session.log->error("interrupted at {:.3f} s of flow; no result was written", result.stop_time);
     return exit_interrupted;
@@ -194,16 +193,17 @@ void add_simulate(CLI::App& app, Session& session) {
   verb->add_option("CASE", options->spec, "Case file, or the name of a shipped one")->required();
   add_out(*verb, *options, "runs/NAME-simulate");
   add_spacing(*verb, *options);
-  verb->add_option("-j,--jobs,--threads", options->threads,
-                   "Threads of the simulation (default: the number of cores, fewer for few "
-                   "particles), or runs side by side with --uncertainty; the result does not "
-                   "depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  verb->add_flag(
+  CLI::Option* uncertainty = verb->add_flag(
       "--uncertainty", options->uncertainty,
       "Give each metric its numerical uncertainty (95 %), from eight further runs at 1.4 "
       "and 2 times the particle spacing, with jittered lattices; 2.7 times the cost");
+  add_jobs(*verb, *options, "With --uncertainty: simulations side by side, one thread each");
+  verb->add_option("--threads", options->threads,
+                   "Threads inside the simulation (default: the number of cores, fewer for few "
+                   "particles); the result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->excludes(uncertainty)
+      ->type_name("N");
   verb->add_flag("--profile", options->profile,
                  "Print which part of the solver took how long (also in result.json, timing)");
   verb->add_flag("--frames", options->frames, "Write particle frames for ParaView into DIR/frames");

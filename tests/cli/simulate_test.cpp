@@ -63,6 +63,26 @@ TEST(Simulate, ThreadsChangeNothingButTheTiming) {
   EXPECT_EQ(series[0], series[1]);
 }
 
+TEST(Simulate, JobsRunSideBySideWithUncertaintyAndChangeNoResult) {
+  const TemporaryFolder folder;
+  Json spec = tiny_case();
+  spec["run"]["stop_time_s"] = 0.1;
+  folder.write("case.json", spec.dump());
+  std::vector<std::string> results;
+  for (const char* jobs : {"1", "2"}) {
+    const std::string out = std::string("jobs-") + jobs;
+    const Outcome outcome = run_program(
+        folder.path(), {"simulate", "case.json", "--uncertainty", "--jobs", jobs, "--out", out});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    Json result = Json::parse(file_text(folder / out / "result.json"));
+    EXPECT_EQ(result["timing"]["threads"], 1);
+    EXPECT_FALSE(result["uncertainty"]["retention_efficiency"].is_null());
+    result.erase("timing");
+    results.push_back(result.dump());
+  }
+  EXPECT_EQ(results[0], results[1]);
+}
+
 TEST(Simulate, FramesAndPictureChangeNoResult) {
   const TemporaryFolder folder;
   folder.write("case.json", tiny_case().dump());
