@@ -13,7 +13,8 @@
 namespace parapet::study {
 
 /// The Pareto set of what was evaluated: designs at the finest spacing that meet every constraint
-/// and that no other such design betters in every objective. With one objective it is the best.
+/// and that no other such design dominates (is at least as good in every objective and better in
+/// one); of designs with equal objectives the first. With one objective it is the best design.
 struct Front {
   std::vector<records::EvaluationRecord> designs;  ///< by id
   std::vector<double> reference;  ///< [n_objectives] in the objectives' units; empty: no design yet
@@ -23,7 +24,7 @@ struct Front {
 
 /// The reference point is the spec's, for each objective that has one; else `reference`
 /// [n_objectives] where it is not empty (a search's); else the worst value among the feasible
-/// designs and a tenth of their range beyond it.
+/// designs plus a tenth of their range.
 Front make_front(const designs::StudySpec& study,
                  const std::vector<records::EvaluationRecord>& records,
                  const std::vector<double>& reference = {}, bool with_history = true);

@@ -37,7 +37,7 @@ struct StudySummary {
   int rejected = 0;     ///< designs refused by constraints that need no simulation
   std::optional<records::EvaluationRecord> best;           ///< feasible; lowest objective_scalar
   std::optional<records::EvaluationRecord> starting_best;  ///< the same among the starting designs
-  /// Feasible designs at the finest spacing that no other betters in every objective, by id.
+  /// The Pareto set: feasible designs at the finest spacing that no other dominates, by id.
   std::vector<records::EvaluationRecord> pareto;
   double hypervolume = 0.0;              ///< that they dominate, see Front
   std::optional<double> optimizer_time;  ///< that the search itself took in this run [s]
