@@ -1,4 +1,4 @@
-/// The only door to NLopt.
+/// The only place that calls NLopt.
 #pragma once
 
 #include <cstdint>

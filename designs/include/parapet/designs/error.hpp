@@ -19,7 +19,7 @@ struct InputIssue {
 /// "file: /pointer: value: problem; allowed: ...", on one line.
 std::string to_string(const InputIssue& issue);
 
-/// Thrown at the door by everything that reads input; what() holds one line per issue.
+/// Thrown by everything that reads input; what() holds one line per issue.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<InputIssue> issues);

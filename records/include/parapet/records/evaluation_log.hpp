@@ -14,7 +14,7 @@
 
 namespace parapet::records {
 
-/// What one objective came to: its statistic over the scenarios.
+/// The value of one objective: its statistic over the scenarios.
 struct ObjectiveRecord {
   std::string metric;  ///< the objective's name; by default its metric or expression
   designs::Goal goal = designs::Goal::maximize;

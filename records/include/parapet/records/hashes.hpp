@@ -1,4 +1,4 @@
-/// What makes two inputs the same question, whatever they are called.
+/// Hashes that tell whether two inputs ask for the same thing, whatever their names.
 #pragma once
 
 #include <string>

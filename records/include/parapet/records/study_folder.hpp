@@ -25,7 +25,7 @@ struct UnfinishedDesign {
   std::map<std::string, Simulation> simulations;  ///< by scenario: those that ended
 };
 
-/// What a search was begun with. It decides the questions of a repeatable search, so it stays when
+/// What a search was begun with. It decides the designs of a repeatable search, so it stays when
 /// the study is continued with other values.
 struct BegunWith {
   int jobs = 1;

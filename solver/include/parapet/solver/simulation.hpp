@@ -1,4 +1,4 @@
-/// Runs one design: the only door into the solver that the rest of Parapet needs.
+/// Runs one design: the only function of the solver that the rest of Parapet needs.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ struct SearchProblem {
 bayesian::Space make_space(const designs::StudySpec& study);
 
 /// Space, metrics, limits, levels and cheap constraints. Quantities that two goals share are one
-/// metric; a constraint that each limit sees from its own end (worst, quantile) gives two. The
+/// metric; a constraint with two limits and a one-sided statistic (worst, quantile) gives two. The
 /// formulas of the design among the constraints are cheap constraints; those among the objectives
 /// are exact metrics, and a design at which one is not finite is refused. `study` must outlive the
 /// problem.

@@ -50,7 +50,7 @@ struct StudySummary {
 /// The algorithm BAYESIAN runs `jobs` simulations side by side and asks for a design whenever a
 /// worker is free. With one job, or method.repeatable, an interrupted study ends, once resumed,
 /// exactly where an undisturbed one does; else what is logged is told first, and the search goes
-/// on from there. Designs of experiments are worked off in order. NLopt's algorithms always replay.
+/// on from there. Designs of experiments are simulated in order. NLopt's algorithms always replay.
 /// @throws designs::InputError for a method that cannot do what the spec asks, another study's
 ///         folder or a damaged log; records::FileError when the file system refuses.
 StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& options);

@@ -1,4 +1,4 @@
-/// How many threads a simulation is worth.
+/// How many threads are worthwhile for a simulation.
 #pragma once
 
 #include <cstddef>

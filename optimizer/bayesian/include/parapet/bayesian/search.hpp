@@ -16,7 +16,7 @@ struct SearchOptions {
   int max_evaluations = 60;  ///< at any level, those told from the start included
   /// The budget that the initial designs (at most a third) and the confirmations (a sixth) are laid
   /// out for; 0: max_evaluations. A search that is continued with a larger budget gives the first
-  /// one here and repeats its questions.
+  /// one here and asks for the same designs.
   int planned_evaluations = 0;
   double max_seconds = 0.0;        ///< sum of what evaluations cost; 0: no limit
   int initial_designs = 0;         ///< 0: chosen from the number of variables

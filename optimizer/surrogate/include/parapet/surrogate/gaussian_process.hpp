@@ -30,7 +30,7 @@ struct LevelParameters {
   double amplitude = 1.0;         ///< standard deviation of this level's own process, > 0
   double noise = 0.1;             ///< standard deviation of an observation at this level, > 0
   double mean = 0.0;
-  double coupling = 0.0;  ///< rho: share of the next coarser level's process; 0 at the coarsest
+  double coupling = 0.0;  ///< rho: factor of the next coarser level's process; 0 at the coarsest
 };
 
 struct Parameters {
@@ -74,7 +74,7 @@ struct LeaveOneOut {
 /// observations in one exact joint process, so that designs need not be nested.
 /// Parameters maximise the log marginal likelihood plus log priors from several starts.
 /// Never throws for data that are finite: equal values, repeated inputs, a single observation or an
-/// ill-conditioned matrix give a process that is vague, not an error.
+/// ill-conditioned matrix give a process of large variance, not an error.
 class GaussianProcess {
  public:
   /// @throws std::invalid_argument for shapes that do not fit or values that are not finite.
