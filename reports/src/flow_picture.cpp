@@ -8,14 +8,13 @@
 #include <stdexcept>
 
 #include "flow_view.hpp"
+#include "line_colors.hpp"
 #include "parapet/reports/color_map.hpp"
 #include "parapet/reports/plot_axes.hpp"
 
 namespace parapet::reports {
 namespace {
 
-constexpr Color ink{0.13, 0.13, 0.15, 1.0};
-constexpr Color frame_color{0.35, 0.35, 0.38, 1.0};
 constexpr Color paper{1.0, 1.0, 1.0, 0.85};
 
 /// Where everything lies on the page [px].

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "line_colors.hpp"
 #include "parapet/reports/color_map.hpp"
 #include "parapet/reports/plot_axes.hpp"
 #include "plot_legend.hpp"
@@ -16,8 +17,6 @@
 namespace parapet::reports {
 namespace {
 
-constexpr Color ink{0.13, 0.13, 0.15, 1.0};
-constexpr Color frame_color{0.35, 0.35, 0.38, 1.0};
 constexpr Color grid_color{0.90, 0.90, 0.91, 1.0};
 
 void check(const LinePlot& plot) {

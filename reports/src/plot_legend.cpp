@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "line_colors.hpp"
 #include "parapet/reports/color_map.hpp"
 
 namespace parapet::reports {
 namespace {
-
-constexpr Color ink{0.13, 0.13, 0.15, 1.0};
 
 /// Length of curve and number of points that a legend there would hide [px].
 double hidden(const LinePlot& plot, const PlotFrame& frame, const PixelBox& legend) {

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "box_side.hpp"
+#include "infinity.hpp"
 #include "parapet/math/normal.hpp"
 #include "parapet/math/normal_tail.hpp"
 
 namespace parapet::acquisition {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// log of the integral of Phi over an interval of width w around t by the midpoint rule with its
 /// second-order term, for a width that is small against 1 and 1 / |t|.

@@ -4,14 +4,13 @@
 #include <numbers>
 #include <utility>
 
+#include "infinity.hpp"
 #include "parapet/acquisition/improvement.hpp"
 #include "parapet/math/normal.hpp"
 #include "parapet/math/normal_tail.hpp"
 
 namespace parapet::acquisition {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// log(Phi(b) - Phi(a)) for a < b <= 0. The density at b is taken out, so that nothing underflows:
 ///   Phi(b) - Phi(a) = phi(b) (R(-b) - R(-a) exp((b^2 - a^2) / 2)).

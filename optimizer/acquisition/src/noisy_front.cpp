@@ -5,13 +5,12 @@
 #include <stdexcept>
 
 #include "box_side.hpp"
+#include "infinity.hpp"
 #include "parapet/acquisition/improvement.hpp"
 #include "parapet/math/normal_tail.hpp"
 
 namespace parapet::acquisition {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// exp(-45) is below half an ulp of one by a factor of 2000: what is so much smaller than a sum
 /// cannot change it even as one of a thousand terms.

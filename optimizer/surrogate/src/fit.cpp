@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fit_constants.hpp"
 #include "marginal_likelihood.hpp"
 #include "parameter_vector.hpp"
 #include "parapet/math/normal.hpp"
@@ -13,7 +14,6 @@
 namespace parapet::surrogate {
 namespace {
 
-constexpr double tolerance_nats = 1e-3;
 constexpr double transform_margin_nats = 2.0;
 constexpr Eigen::Index transform_sample = 120;  // observations that a transform is judged by
 constexpr int transform_evaluations = 20;

@@ -7,13 +7,13 @@
 
 #include "covariance.hpp"
 #include "fit.hpp"
+#include "fit_constants.hpp"
 #include "marginal_likelihood.hpp"
 #include "triangular.hpp"
 
 namespace parapet::surrogate {
 namespace {
 
-constexpr double log_two_pi = 1.8378770664093454836;
 constexpr double quantile_975 = 1.9599639845400542355;
 
 void require(bool condition, const std::string& message) {

@@ -7,11 +7,11 @@
 #include <numeric>
 
 #include "covariance.hpp"
+#include "fit_constants.hpp"
 
 namespace parapet::surrogate {
 namespace {
 
-constexpr double log_two_pi = 1.8378770664093454836;
 constexpr Eigen::Index block = 48;
 
 Eigen::Index pairs(Eigen::Index n) {

@@ -12,7 +12,7 @@
 namespace parapet::surrogate {
 namespace {
 
-void require(bool condition, const std::string& message) {
+void refuse_unless(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument("sensitivity: " + message);
 }
 
@@ -53,10 +53,11 @@ struct Answers {
 
 Eigen::MatrixXd ask(const Realisations& model, const Eigen::MatrixXd& u, Eigen::Index columns) {
   Eigen::MatrixXd y = model(u);
-  require(y.rows() == u.rows() && y.cols() >= 1 && (columns == 0 || y.cols() == columns),
-          "the model answered " + std::to_string(y.rows()) + " x " + std::to_string(y.cols()) +
-              " values to " + std::to_string(u.rows()) + " points");
-  require(y.allFinite(), "the model answered a value that is not finite");
+  refuse_unless(y.rows() == u.rows() && y.cols() >= 1 && (columns == 0 || y.cols() == columns),
+                "the model answered " + std::to_string(y.rows()) + " x " +
+                    std::to_string(y.cols()) + " values to " + std::to_string(u.rows()) +
+                    " points");
+  refuse_unless(y.allFinite(), "the model answered a value that is not finite");
   return y;
 }
 
@@ -109,11 +110,11 @@ Eigen::VectorXd resampled(Eigen::Index n, std::mt19937_64& generator) {
 
 std::vector<SobolIndices> sobol_indices(const Realisations& model, int n_variables,
                                         const SensitivityOptions& options) {
-  require(n_variables >= 1,
-          "n_variables is " + std::to_string(n_variables) + ", at least 1 needed");
-  require(options.base_points >= 2,
-          "base_points is " + std::to_string(options.base_points) + ", at least 2 needed");
-  require(options.bootstrap >= 0, "bootstrap must be at least 0");
+  refuse_unless(n_variables >= 1,
+                "n_variables is " + std::to_string(n_variables) + ", at least 1 needed");
+  refuse_unless(options.base_points >= 2,
+                "base_points is " + std::to_string(options.base_points) + ", at least 2 needed");
+  refuse_unless(options.bootstrap >= 0, "bootstrap must be at least 0");
   const Answers answers = ask_all(model, n_variables, options);
   const Eigen::Index n = answers.a.rows(), n_realisations = answers.a.cols();
   const auto d = static_cast<std::size_t>(n_variables);
@@ -147,9 +148,9 @@ std::vector<SobolIndices> sobol_indices(const Realisations& model, int n_variabl
 
 std::vector<MainEffect> main_effects(const Realisations& model, int n_variables, int n_grid,
                                      int n_points, std::uint64_t seed) {
-  require(n_variables >= 1,
-          "n_variables is " + std::to_string(n_variables) + ", at least 1 needed");
-  require(n_grid >= 1 && n_points >= 1, "n_grid and n_points must be at least 1");
+  refuse_unless(n_variables >= 1,
+                "n_variables is " + std::to_string(n_variables) + ", at least 1 needed");
+  refuse_unless(n_grid >= 1 && n_points >= 1, "n_grid and n_points must be at least 1");
   const Eigen::MatrixXd points = sample(n_points, n_variables, seed);
   std::vector<MainEffect> effects(static_cast<std::size_t>(n_variables));
   for (std::size_t i = 0; i < effects.size(); ++i) {

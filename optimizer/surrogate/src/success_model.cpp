@@ -7,14 +7,13 @@
 #include <string>
 
 #include "covariance.hpp"
+#include "fit_constants.hpp"
 #include "parapet/math/normal.hpp"
 #include "probit_laplace.hpp"
 #include "unit_points.hpp"
 
 namespace parapet::surrogate {
 namespace {
-
-constexpr double tolerance_nats = 1e-3;
 
 void check(const Layout& layout, const Eigen::MatrixXd& inputs,
            const std::vector<bool>& succeeded) {

@@ -1,0 +1,11 @@
+/// Numbers that several fits share.
+#pragma once
+
+namespace parapet::surrogate {
+
+inline constexpr double log_two_pi = 1.8378770664093454836;
+
+/// A descent ends when the log-likelihood changes by less [nats].
+inline constexpr double tolerance_nats = 1e-3;
+
+}  // namespace parapet::surrogate
