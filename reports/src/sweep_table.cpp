@@ -141,7 +141,7 @@ std::vector<std::vector<std::string>> table_columns(
   return columns;
 }
 
-std::string joined(const std::vector<std::vector<std::string>>& columns) {
+std::string joined_columns(const std::vector<std::vector<std::string>>& columns) {
   std::string text;
   const std::size_t n_lines = columns.front().size();
   for (std::size_t line = 0; line < n_lines; ++line) {
@@ -211,7 +211,7 @@ std::string failures(const std::vector<records::SweepRowResult>& rows) {
 std::string sweep_table_text(const std::vector<records::SweepRowResult>& rows, double spacing) {
   std::string text =
       fmt::format("{} rows, particle spacing {:g} mm\n\n", rows.size(), 1000.0 * spacing);
-  text += joined(table_columns(rows));
+  text += joined_columns(table_columns(rows));
   for (const std::string& part : {failures(rows), further_figures(rows), misses(rows)}) {
     if (!part.empty()) text += '\n' + part;
   }

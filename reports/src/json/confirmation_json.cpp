@@ -7,7 +7,7 @@ namespace {
 
 using designs::Json;
 
-const char* word(study::Verdict verdict) {
+const char* verdict_word(study::Verdict verdict) {
   if (verdict == study::Verdict::none) return "none";
   return verdict == study::Verdict::confirmed ? "confirmed" : "refuted";
 }
@@ -43,7 +43,7 @@ Json to_json(const Confirmation& confirmation) {
   for (const RefutedDesign& one : confirmation.refuted) {
     refuted.push_back({{"id", one.id}, {"violated", one.violated}});
   }
-  return {{"verdict", word(confirmation.verdict)},
+  return {{"verdict", verdict_word(confirmation.verdict)},
           {"runs", std::move(runs)},
           {"spread", std::move(spread)},
           {"refuted", std::move(refuted)}};
