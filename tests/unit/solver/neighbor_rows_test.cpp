@@ -146,9 +146,8 @@ TEST_P(ThinPlate, NothingReachesThroughIt) {
     }
     for (int s = view.wall_begin[i]; s < view.end[i]; ++s) {
       if (view.index[s] == static_cast<std::int32_t>(walls.size())) continue;
-      const Face& face =
-          setup.solids
-              .faces[static_cast<std::size_t>(walls.owner[static_cast<std::size_t>(view.index[s])])];
+      const Face& face = setup.solids.faces[static_cast<std::size_t>(
+          walls.owner[static_cast<std::size_t>(view.index[s])])];
       if (face.barrier < 0 || face.normal.z > 0.5) continue;  // bed, crest
       EXPECT_EQ(left, face.normal.x < 0.0) << "a particle sees the far side's wall points";
     }
