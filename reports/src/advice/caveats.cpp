@@ -32,7 +32,7 @@ void add_unfinished(Sentences& list, const LoadedStudy& study, const DesignRepor
   if (study.state == "running" || study.state == "interrupted") {
     list.push_back(
         fmt::format("The study is not finished (its state is \"{}\"): the same optimize command "
-                    "goes on with it.",
+                    "continues it.",
                     study.state));
   }
 }

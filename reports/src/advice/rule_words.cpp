@@ -28,13 +28,13 @@ std::string knee_words(const study::Choice& choice) {
                 "{}).",
                 scaled, knee.ends.size() == 2 ? "line" : "plane", joined(ends))
           : fmt::format(
-                "{}the design is taken whose worst objective is least bad (the designs best "
-                "in each objective, {}, span no plane to measure a distance from).",
+                "{}the design is taken whose largest scaled objective is smallest (the designs "
+                "best in each objective, {}, span no plane to measure a distance from).",
                 scaled, joined(ends));
   if (choice.front.size() <= knee.ends.size()) {
     words +=
-        " This front consists of its ends or less, so the rule tells little here: equal ones "
-        "go by the first objective.";
+        " This front has no design between its ends, so the rule tells little here; the first "
+        "objective decides between equals.";
   }
   return words;
 }

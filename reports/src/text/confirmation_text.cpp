@@ -23,7 +23,7 @@ std::string probability_text(const Recommendation& advice) {
       "probability of {:.0f} % that it does.",
       100.0 * *probability);
   if (advice.rule.all_doubtful) {
-    text += " **No design that the rule allows reaches 50 %**: each may owe its place to luck.";
+    text += " **No design that the rule allows reaches 50 %**: each may be here by chance.";
   }
   if (const auto limits = advice.recommended->probability_limits) {
     text += fmt::format(
@@ -105,8 +105,9 @@ std::string spread_text(const std::vector<Spread>& spread) {
                     deviation_text(one)});
   }
   return "The design and those near it differ by half a per cent of each variable's range, which "
-         "no site work could tell apart: what lies between them is the scatter of the answer, and "
-         "a difference between designs that is not larger means nothing.\n\n" +
+         "no construction work could tell apart. So the differences between them are scatter, and "
+         "a "
+         "difference between two designs that is not larger means nothing.\n\n" +
          table(rows, "lrrrr");
 }
 

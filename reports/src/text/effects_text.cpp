@@ -24,8 +24,7 @@ std::string effects_section(const std::vector<MetricResponse>& effects) {
   std::string text =
       "## What each variable does\n\nLeast-squares fits to all designs that were simulated; they "
       "describe the region that was tried, not what lies beyond. ± is one standard "
-      "error, the standardised effect counts in standard deviations. Correlations look at one "
-      "variable "
+      "error; the standardised effect is in standard deviations. Correlations look at one variable "
       "alone and mislead where variables were changed together.\n\n";
   for (const MetricResponse& fit : effects) {
     text += fmt::format("### {}\n\n", key_label(fit.metric)) + fit_words(fit);

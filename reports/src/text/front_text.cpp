@@ -108,7 +108,7 @@ std::string pictures(const Recommendation& advice) {
   if (advice.progress && !advice.progress->history.empty()) {
     text +=
         "The dominated hypervolume (how much of the objectives' space, up to a reference "
-        "point, the front betters) grew with the search as below; while it still grows, the "
+        "point, the front dominates) grew with the search as below; while it still grows, the "
         "front is not final.\n\n![The search's progress](hypervolume.png)\n\n";
   }
   return text;
@@ -122,14 +122,13 @@ std::string front_section(const Recommendation& advice) {
   std::string text = fmt::format(
       "## The trade-off\n\n{} evaluated design{} that meet{} every constraint {} dominated by no "
       "other such design (at least as good in every objective and better in one): the front. "
-      "Values are as simulated",
+      "Values are as simulated.",
       front.size(), front.size() == 1 ? "" : "s", front.size() == 1 ? "s" : "",
       front.size() == 1 ? "is" : "are");
   text += any_estimate(front)
-              ? "; the surrogate's estimate is its median with a 95 % interval of the noise-free "
-                "value, which uses all designs and is the better guide where runs scatter.\n\n"
-              : "; there is no surrogate for this study, so nothing is known of how sure they "
-                "are.\n\n";
+              ? " The surrogate's estimate is its median with a 95 % interval of the noise-free "
+                "value; it uses all designs and is the better guide where runs scatter.\n\n"
+              : " This study has no surrogate, so their uncertainty is not known.\n\n";
   return text + front_table(advice) + leaving_text(advice) + pictures(advice);
 }
 

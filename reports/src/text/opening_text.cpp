@@ -24,7 +24,7 @@ std::string opening_without_pick(const Recommendation& advice) {
   }
   text += fmt::format("**None of the {} designs evaluated meets every constraint.** ",
                       study.evaluations);
-  if (!advice.least_violating) return text + "No simulation ended well either.\n\n";
+  if (!advice.least_violating) return text + "No simulation succeeded either.\n\n";
   const DesignReport& nearest = advice.least_violating->design;
   return text + fmt::format(
                     "The one that misses them least is design {}: {}. It is shown below "

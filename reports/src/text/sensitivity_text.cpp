@@ -94,8 +94,8 @@ std::string sensitivity_section(const std::optional<study::Sensitivity>& sensiti
       "variance that a variable explains alone, and with all its interactions, when all variables "
       "are drawn independently and uniformly from the whole box of their bounds (designs that a "
       "formula forbids included; every option equally likely; a variable that does not exist under "
-      "an option counts only where it does). In brackets 95 % intervals: they hold the sampling "
-      "and what the surrogate itself does not know.\n\n";
+      "an option counts only where it does). In brackets: 95 % intervals, which "
+      "cover the sampling and the surrogate's own uncertainty.\n\n";
   for (const MetricSensitivity& metric : sensitivity->metrics) text += metric_text(metric);
   return text;
 }

@@ -84,7 +84,7 @@ std::string numbers_words(const StudyFacts& study) {
   }
   if (!levels.empty()) text += "- particle spacing: " + joined(levels);
   if (levels.size() > 1) {
-    text += fmt::format("; only designs at {:.4g} mm are compared, the others taught the surrogate",
+    text += fmt::format("; only designs at {:.4g} mm are compared; the others inform the surrogate",
                         1000.0 * study.counted_spacing);
   }
   return text + (levels.empty() ? "" : "\n");

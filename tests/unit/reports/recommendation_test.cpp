@@ -238,7 +238,7 @@ TEST_F(Study, OnlyFailuresGiveNoRecommendation) {
   EXPECT_FALSE(result.recommended.has_value());
   EXPECT_FALSE(result.least_violating.has_value());
   EXPECT_EQ(result.shown(), nullptr);
-  EXPECT_TRUE(says(result, "No simulation ended well"));
+  EXPECT_TRUE(says(result, "No simulation succeeded"));
 }
 
 TEST_F(Study, CaveatsTellOfWhatIsNotFinished) {
