@@ -127,7 +127,8 @@ void add_evaluate(CLI::App& app, Session& session) {
                    "Study folder whose log answers for designs it holds and takes new ones")
       ->type_name("DIR");
   add_spacing(*verb, *options);
-  add_jobs(*verb, *options, "Scenarios simulated side by side, then threads of each");
+  add_jobs(*verb, *options,
+           "Scenarios simulated side by side; where there are fewer, threads of each");
   verb->footer(
       R"(Prints one JSON object on standard output (the line that the log of a study has) and nothing else;
 messages go to standard error. A failed simulation is reported in the object and by exit code 1. A

@@ -123,9 +123,10 @@ void print_front(const study::StudySummary& summary, const designs::StudySpec& s
 
 void print_summary(const study::StudySummary& summary, const designs::StudySpec& study,
                    const std::filesystem::path& folder) {
-  fmt::print("{}: {} ({}), {} designs evaluated ({} by this run in {}), {} refused unsimulated\n",
-             study.name, study::to_string(summary.state), summary.message, summary.evaluations,
-             summary.simulated, duration_text(summary.elapsed), summary.rejected);
+  fmt::print(
+      "{}: {} ({}), {} designs evaluated ({} by this run in {}), {} rejected without simulation\n",
+      study.name, study::to_string(summary.state), summary.message, summary.evaluations,
+      summary.simulated, duration_text(summary.elapsed), summary.rejected);
   if (study.objectives.size() > 1) {
     print_front(summary, study);
   } else {

@@ -21,7 +21,7 @@ constexpr const char* examples = R"(Examples:
   parapet table3                                    the fifteen rows of the source paper
   parapet optimize designs/quickstart.json          search for a better barrier
   parapet recommend runs/quickstart-optimize        what the search found, in words
-  parapet validate                                  the proofs: how far to trust the solver
+  parapet validate                                  how far to trust the solver
   parapet VERB --help                               options and examples of a verb
 
 Exit codes: 0 done, 1 a run failed, 2 bad input or arguments, 130 interrupted.

@@ -74,9 +74,8 @@ bool confirm_and_say(const Session& session, const RecommendOptions& options,
                      const study::LoadedStudy& study, const study::PickRule& rule) {
   const study::ConfirmOutcome outcome = confirm(session, options, study, rule);
   if (outcome.cancelled) {
-    session.log->error(
-        "interrupted; runs that ended are in {}, and the same command goes on from there",
-        (options.folder / "confirmations.jsonl").string());
+    session.log->error("interrupted; finished runs are in {}, and the same command resumes",
+                       (options.folder / "confirmations.jsonl").string());
     return false;
   }
   if (!outcome.refusal.empty()) {
@@ -142,7 +141,7 @@ void add_recommend(CLI::App& app, Session& session) {
   verb->add_option("--repeats", options->repeats, "Nearly equal designs to simulate (default: 2)")
       ->type_name("N")
       ->check(CLI::Range(0, 100));
-  add_jobs(*verb, *options, "Simulations side by side, then threads of each");
+  add_jobs(*verb, *options, "Simulations side by side; where there are fewer, threads of each");
   verb->footer(
       R"(Prints the advice and writes recommendation.md and recommendation.json into STUDY_DIR, with
 sensitivity.json (which variables matter, by the surrogates) and, for several objectives, front.png

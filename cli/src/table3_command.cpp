@@ -77,7 +77,7 @@ void add_table3(CLI::App& app, Session& session) {
   verb->add_option("SWEEP", options->spec, "Sweep file (default: designs/table3.json)");
   add_out(*verb, *options, "runs/NAME of the sweep");
   add_spacing(*verb, *options);
-  add_jobs(*verb, *options, "Rows simulated side by side");
+  add_jobs(*verb, *options, "Rows simulated side by side; where there are fewer, threads of each");
   verb->add_option("--only", options->only, "Only the rows of these ids")
       ->delimiter(',')
       ->type_name("ID,ID");

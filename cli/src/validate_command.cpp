@@ -79,7 +79,8 @@ int validate_command(const Session& session, const ValidateOptions& options) {
   fmt::print("{}", validation::scorecard_text(outcome.cards));
   if (!options.quick) write_pages(folder);
   if (!outcome.unfinished.empty()) {
-    session.log->error("interrupted; go on with: parapet validate {}", joined(outcome.unfinished));
+    session.log->error("interrupted; continue with: parapet validate {}",
+                       joined(outcome.unfinished));
     return exit_interrupted;
   }
   int failed = 0, missed = 0;
@@ -103,7 +104,7 @@ void add_validate(CLI::App& app, Session& session) {
   verb->add_flag("--list", options->list, "Name the cases and stop");
   verb->add_flag("--strict", options->strict, "Exit code 1 when a limit is missed");
   verb->add_flag("--pages-only", options->pages_only,
-                 "Write the pages anew from the scorecards that are there");
+                 "Write the pages again from the existing scorecards");
   verb->footer(
       R"(Prints a scorecard of measured values beside their limits, and writes CASE.json, plots and flow
 pictures of each case, CASE.md for each and README.md, the pages made of them. Cases that have ended are kept when the

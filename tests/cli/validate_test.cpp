@@ -67,7 +67,7 @@ TEST(Validate, EndsInGoodOrderWhenInterrupted) {
   program.send(SIGINT);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_PRED_FORMAT2(IsSubstring, "interrupted; go on with: parapet validate taylor_green",
+  EXPECT_PRED_FORMAT2(IsSubstring, "interrupted; continue with: parapet validate taylor_green",
                       outcome.err);
 }
 

@@ -168,10 +168,10 @@ std::vector<std::string> surrogate_warnings(const bayesian::Search& search) {
     if (process == nullptr) continue;
     const double q_squared = process->leave_one_out().q_squared;
     if (q_squared >= least_q_squared) continue;
-    sentences.push_back(fmt::format(
-        "the surrogate of {} predicts designs left out of it badly (Q^2 {:.2f} after {} designs): "
-        "its estimates are worth little",
-        metrics[k].name, q_squared, search.evaluations()));
+    sentences.push_back(
+        fmt::format("the surrogate of {} fails the leave-one-out test (Q^2 {:.2f} after {} "
+                    "designs): do not rely on its estimates",
+                    metrics[k].name, q_squared, search.evaluations()));
   }
   return sentences;
 }
