@@ -59,7 +59,7 @@ void add_balance(CaseRun& run, const std::string& key, const std::string& of,
            .value = balance.mass_change(flow),
            .lower = -1e-12,
            .upper = 1e-12,
-           .reason = "particles exchange mass in opposite and equal parts; the sum rounds"});
+           .reason = "particles exchange equal and opposite masses; rounding of the sum"});
   run.add({.key = key + "_momentum",
            .what = of + ": momentum not explained by gravity and wall forces",
            .value = 100.0 * balance.momentum_error(flow),

@@ -190,7 +190,7 @@ void add_rows(CaseRun& run, const Overflow& overflow, const Flight& flight) {
       m.reason = "what the formula is used for in design";
       m.explanation =
           "the sheet is still under pressure at the edge and holds together in flight: viscosity "
-          "and yield stress pass momentum from what follows to what leads";
+          "and yield stress pass momentum from the flow behind to the front";
     } else if (k + 1 == stations.size()) {
       m.lower = 0.9;
       m.upper = 1.1;

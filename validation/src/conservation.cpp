@@ -179,7 +179,7 @@ void add_frames(CaseRun& run, const std::vector<Track>& tracks) {
       draw_line("same frame, other skin", d, reports::SeriesStyle::dashed);
   }
   run.add({.key = "scatter",
-           .what = fmt::format("the same frame, neighbour rows renewed at other times: largest "
+           .what = fmt::format("the same frame, neighbour rows rebuilt at other times: largest "
                                "deviation of the centre of mass at {:.1f} s in {} runs",
                                frame_time, skins.size()),
            .value = scatter,
@@ -192,18 +192,18 @@ void add_frames(CaseRun& run, const std::vector<Track>& tracks) {
              .value = at_time(tracks[0], d.largest, arrival_time),
              .unit = "dx",
              .upper = 1e-6,
-             .reason = "the equations know no frame; what is left is rounding (1e-16), which "
-                       "neighbouring paths amplify"});
+             .reason = "the equations do not depend on the frame; only rounding (1e-16) is left, "
+                       "which diverging paths amplify"});
     run.add({.key = fmt::format("{}_center", frames[k].key),
              .what = of + fmt::format(": deviation of the centre of mass at {:.1f} s", frame_time),
              .value = d.center.back(),
              .unit = "dx",
              .upper = 2.0 * scatter,
              .reason =
-                 "chaos after the impact: twice what other renewals of the rows do in the same "
-                 "frame; the cells of the neighbour search lie along the axes, so that a "
-                 "turned flow renews its rows at other times, and which wall points a "
-                 "particle sees at a corner is decided then"});
+                 "chaos after the impact: twice the deviation between runs in the same frame "
+                 "that rebuild their neighbour rows at other times. The cells of the neighbour "
+                 "search lie along the axes, so a rotated flow rebuilds its rows, and decides "
+                 "which wall points a particle sees at a corner, at other times too"});
     draw_line(frames[k].name, d, reports::SeriesStyle::line);
   }
   plot.width_px = 800;
@@ -309,15 +309,16 @@ void add_budget(CaseRun& run) {
              .value = budgets[k].mass,
              .lower = -1e-12,
              .upper = 1e-12,
-             .reason = "particles exchange mass in opposite and equal parts; the sum rounds"});
-    run.add({.key = key("momentum"),
-             .what = of + ": momentum not explained by gravity and wall forces",
-             .value = 100.0 * budgets[k].momentum,
-             .unit = "%",
-             .upper = 1.0,
-             .reason = "share of the impulse of gravity; pair forces, but for the "
-                       "tensile-instability control's, and what shifting "
-                       "exchanges are opposite and equal"});
+             .reason = "particles exchange equal and opposite masses; rounding of the sum"});
+    run.add(
+        {.key = key("momentum"),
+         .what = of + ": momentum not explained by gravity and wall forces",
+         .value = 100.0 * budgets[k].momentum,
+         .unit = "%",
+         .upper = 1.0,
+         .reason =
+             "share of the impulse of gravity; pair forces (except those of the "
+             "tensile-instability control) and what shifting exchanges are equal and opposite"});
     run.add(
         {.key = key("numerical"),
          .what =

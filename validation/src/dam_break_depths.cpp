@@ -76,7 +76,7 @@ void add_depths(CaseRun& run, const std::vector<Group>& spacings, const Group& n
          .value = arrival_difference(finest.whole(), m, g, 0.0),
          .lower = -0.1,
          .upper = 0.1,
-         .reason = "a hand's breadth of the front's way in this tank",
+         .reason = "the front moves 0.17 H in this time",
          .explanation = fmt::format(
              "no friction at the floor: with no-slip walls ({}) it is {:.3f}. Also the clock of "
              "the measured depths and fronts is {:.2f} behind that of the pressures, next row",
@@ -99,7 +99,7 @@ void add_depths(CaseRun& run, const std::vector<Group>& spacings, const Group& n
            .upper = 0.17,
            .reason = "as above",
            .explanation = "early on the measured front is ahead of an instant release (the gate "
-                          "opens at the floor first), later behind it: no one shift fits both"});
+                          "opens at the floor first), later behind it: no single shift fits both"});
   run.add(
       {.key = "front_speed",
        .what = fmt::format("speed of the front over sqrt(g H), {}, t* = 1.4 to 2.2", finest.name),
@@ -139,16 +139,16 @@ void add_balances(CaseRun& run, const Group& finest) {
            .value = r.balance->mass_change(*r.flow),
            .lower = -1e-12,
            .upper = 1e-12,
-           .reason = "particles exchange mass in opposite and equal parts; the sum rounds"});
+           .reason = "particles exchange equal and opposite masses; rounding of the sum"});
   run.add({.key = "momentum",
            .what = fmt::format("{}, whole run: momentum not explained by gravity and wall forces",
                                finest.name),
            .value = 100.0 * r.balance->momentum_error(*r.flow),
            .unit = "%",
            .upper = 1.0,
-           .reason = "share of the impulse of gravity; pair forces, but for the "
-                     "tensile-instability control's, and what shifting exchanges are "
-                     "opposite and equal"});
+           .reason =
+               "share of the impulse of gravity; pair forces (except those of the "
+               "tensile-instability control) and what shifting exchanges are equal and opposite"});
   run.add(
       {.key = "energy_before",
        .what = fmt::format("{}, before the impact: energy lost but not dissipated by viscosity, "
@@ -158,8 +158,8 @@ void add_balances(CaseRun& run, const Group& finest) {
        .unit = "%",
        .lower = -0.5,
        .upper = 2.0,
-       .reason = "nothing breaks yet: density diffusion and shifting must take little and give "
-                 "nothing"});
+       .reason = "no breaking yet: density diffusion and shifting must take little energy and give "
+                 "none"});
   run.add({.key = "energy_end",
            .what = "the same at t* = 8, after impact and breaking",
            .value = 100.0 * r.loss_at_end,

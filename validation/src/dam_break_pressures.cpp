@@ -178,7 +178,7 @@ void add_forces(CaseRun& run, const std::vector<Group>& spacings, const Lobovsky
            .unit = "%",
            .lower = -5.0,
            .upper = 5.0,
-           .reason = "momentum that arrives, whatever the peaks: as good as the depths",
+           .reason = "the arriving momentum does not depend on the peaks: the limit of the depths",
            .explanation = "a finer tip is thinner: less water arrives in the first unit of time"});
 }
 

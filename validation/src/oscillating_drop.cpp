@@ -218,8 +218,8 @@ void add_rows(CaseRun& run, const Drop& drop, const Swing& s, double exact, bool
            .unit = "%",
            .lower = -2.0,
            .upper = 2.0,
-           .reason = "the fluid is compressed by p/(rho c^2) < 0.5 % and by what the continuity "
-                     "equation gathers in errors"});
+           .reason = "the fluid is compressed by p/(rho c^2) < 0.5 % and the errors of the "
+                     "continuity equation add up"});
   run.add(
       {.key = "spin",
        .what = fmt::format("{}: largest angular momentum over sum m |r x u| of the start", at),
@@ -232,9 +232,9 @@ void add_rows(CaseRun& run, const Drop& drop, const Swing& s, double exact, bool
            .value = 100.0 * s.drift,
            .unit = "%",
            .upper = 1.0,
-           .reason = "pair forces, but for the tensile-instability control's, and what shifting "
-                     "exchanges are opposite and equal; the "
-                     "lever of the mass exchanged is not quite the shift"});
+           .reason = "pair forces (except those of the tensile-instability control) and what "
+                     "shifting exchanges are equal and opposite; the lever arm of the exchanged "
+                     "mass is not exactly the shift"});
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ void plane_flows(CaseRun& run) {
       m.unit = fmt::format("%");
       if (across[level] == 40) {
         m.upper = 1.0;
-        m.reason = "what a profile of 40 particles can be asked for";
+        m.reason = "what can be expected of a profile of 40 particles";
         if (m.value > 1.0)
           m.explanation =
               "particles beside a wall, where the shear is, are not shifted and lie less evenly; "

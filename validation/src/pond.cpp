@@ -49,7 +49,7 @@ void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
   if (judged) {
     held.lower = 1.0;
     held.upper = pressed.volume() / limit.volume();
-    held.reason = fmt::format("{}", "thin layer, and pressed together with its normal stresses");
+    held.reason = fmt::format("{}", "the formula without and with normal stresses");
     held.explanation = fmt::format(
         "{}",
         "the excess sits upstream, where the layer stops at more than h_c because its "
@@ -99,7 +99,7 @@ void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
            .what = fmt::format("thrust on the stem over the hydrostatic one of its depth, {}", of),
            .value = o.thrust / hydrostatic,
            .lower = 1.0,
-           .reason = "the layer presses on the stem, it does not hang from it"});
+           .reason = "the layer pushes against the stem, it does not pull at it"});
   // along the bed: weight = thrust + friction; the back wall does not pull
   const double friction = weight * std::sin(scene.slope) * o.volume.back() - o.thrust;
   run.add({.key = fmt::format("friction_{}", key),

@@ -237,15 +237,13 @@ void add_finest(CaseRun& run, const Square& square, const Patch& patch) {
   const std::string at = in_words(square);
   add_spin(run, square, patch, "finest", 2.0, true);
   add_spin(run, square, patch, "finest", end, true);
-  run.add(
-      {.key = "momentum",
-       .what = at + ": largest momentum over sum m |u| of the start",
-       .value = 100.0 * patch.momentum,
-       .unit = "%",
-       .upper = 1.0,
-       .reason =
-           "none at the start; pair forces, but for the tensile-instability control's, and what "
-           "shifting exchanges are opposite and equal"});
+  run.add({.key = "momentum",
+           .what = at + ": largest momentum over sum m |u| of the start",
+           .value = 100.0 * patch.momentum,
+           .unit = "%",
+           .upper = 1.0,
+           .reason = "none at the start; pair forces (except those of the tensile-instability "
+                     "control) and what shifting exchanges are equal and opposite"});
   run.add({.key = "energy",
            .what = at + ": change of kinetic and elastic energy until omega t = 4",
            .value = 100.0 * patch.energy.back(),

@@ -80,8 +80,8 @@ void add_heap(CaseRun& run, const Heap& heap, const std::vector<double>& spacing
     add("runout", "run-out against thin-layer theory", 100.0 * (front / thin_layer.front() - 1.0),
         finest,
         heap.yield_stress > 50.0
-            ? "the heap is too thick for the theory, whose next order "
-              "is shorter by what the row above says"
+            ? "the heap is too thick for the theory; its next order is shorter by the value in the "
+              "row above"
             : "the theory itself is long by 2 %; the rest is the front, a layer "
               "of one or two particles that stops early, and shrinks with "
               "the spacing");
@@ -238,8 +238,8 @@ void slump(CaseRun& run) {
            .unit = "%",
            .lower = -10.0,
            .upper = 10.0,
-           .reason = "density diffusion and shifting may take or give what is small beside the "
-                     "viscous dissipation, of first order in the spacing",
+           .reason = "density diffusion and shifting may take or give an amount that is small "
+                     "beside the viscous dissipation, of first order in the spacing",
            .explanation = "it falls with the spacing, from a tenth at 17.5 mm to half of it at 5"});
   int inside = 0;
   for (const Outcome& o : outcomes) inside += o.inside;

@@ -106,8 +106,8 @@ void judge(CaseRun& run, const Sweep& sweep, const JudgedMetric& judged) {
            .what = of + ", first over second",
            .value = r.deviation / scatter,
            .upper = 2.0,
-           .reason = "the repeats tell the scatter within a quarter, it differs between designs, "
-                     "and a cubic need not fit",
+           .reason = "the repeats give the scatter within a quarter; it differs between designs, "
+                     "and a cubic may not fit",
            .explanation = "the scatter of the middle design is not that of all: see the plot"});
   run.add(
       {.key = key + "_step",

@@ -50,8 +50,7 @@ const Closeness& closeness_of(const std::string& metric) {
 
 // Of the retention of two barriers: nothing else can carry material past the second.
 constexpr const char* thrown_over =
-    "what the sheet throws over the downstream barrier when it hits it, one or two hundredths of "
-    "the "
+    "what the sheet throws over the downstream barrier at its impact, one or two hundredths of the "
     "release; see noise for how far equal runs differ";
 
 std::string why_missed(const std::string& row, const std::string& metric) {
@@ -61,8 +60,8 @@ std::string why_missed(const std::string& row, const std::string& metric) {
            "ours does not (docs/theory.md)";
   }
   if (metric == "launch_angle_deg") {
-    return "the paper does not say where and over what it is read; here it is the first 1 % of the "
-           "mass to land, at the barrier's last edge";
+    return "the paper does not say where and over which mass it is measured; here it is the first "
+           "1 % of the mass to land, at the barrier's last edge";
   }
   if (metric == "impact_time_s") {
     return "the sheet lands nearer than the paper's (impact x), and so earlier";
@@ -78,7 +77,7 @@ std::string why_missed(const std::string& row, const std::string& metric) {
            "in another; ours is above by little more than its uncertainty (grid convergence)";
   }
   if (metric == "flow_depth_max_time_s") {
-    return "the depth hardly changes around its largest value, so that its time is loose";
+    return "the depth hardly changes around its largest value, so its time is not sharp";
   }
   if (metric == "flow_depth_max_m") {
     return "42 mm in the paper, 50 mm in an independent computation of the same equations";

@@ -66,11 +66,10 @@ void add_tank(CaseRun& run, const Tank& tank, const TankRun& r) {
   const char* shaken = tank.barrier
                            ? "at convex corners wall points come into sight and vanish one by one; "
                              "each jump is a force of several times the weight"
-                           : "sound and eddies that the start stirs up and nothing damps";
+                           : "sound and eddies from the start, which nothing damps";
   const char* still_why =
-      "a lattice of h/dx = 1.33 that nothing moves carries 0.979 of a "
-      "pressure gradient, whatever the spacing; around a barrier the packed particles add their "
-      "own unevenness, which the debris keeps";
+      "a lattice at rest with h/dx = 1.33 has 0.979 of a pressure gradient, whatever the spacing; "
+      "around a barrier the packed particles add their own unevenness, which the debris keeps";
   Measure lasted{.key = key + "_lasted",
                  .what = fmt::format("{}: time that the flow could be computed", tank.name),
                  .value = r.lasted,
@@ -80,7 +79,7 @@ void add_tank(CaseRun& run, const Tank& tank, const TankRun& r) {
   if (!r.failure.empty()) lasted.explanation = fmt::format("{}: {}", r.failure, shaken);
   run.add(lasted);
   add("speed", "largest speed in the second half, over sqrt(gH)", late(r.largest), "%", 1.0,
-      "what a fluid at rest may stir up", shaken);
+      "spurious motion that is accepted in a fluid at rest", shaken);
   add("rms", "rms speed in the second half, over sqrt(gH)", late_rms(r.rms), "%", {}, "", "");
   add("pressure", "rms error of the pressure in the second half, over rho g H",
       late_rms(r.pressure_rms), "%", 1.0, "hydrostatics", thin ? shaken : still_why);
@@ -91,7 +90,7 @@ void add_tank(CaseRun& run, const Tank& tank, const TankRun& r) {
       "share of the impulse of gravity", shaken);
   if (!r.failure.empty()) return;
   add("drift", "the centre of mass moves in the second half, over H", std::abs(r.drift), "%", 0.2,
-      "a fifth of a per cent in half the time keeps the level within what the pressure may err",
+      "a fifth of a per cent in half the time keeps the level within the limit of the pressure",
       shaken);
   if (tank.barrier) {
     add("plates", "force on a plate, largest error over the sum on all plates", r.plates, "%", 2.0,
@@ -185,7 +184,7 @@ void tanks(CaseRun& run) {
            .unit = "%",
            .lower = -0.1,
            .upper = 0.1,
-           .reason = "both solve the same equations in space; what is stirred up is the same"});
+           .reason = "both solve the same equations in space, so the spurious motion is the same"});
   draw_speeds(run, list, runs);
   draw_barriers(run, list, runs, false);
   draw_barriers(run, list, runs, true);

@@ -262,10 +262,9 @@ void add_rows(CaseRun& run, std::span<const Vortices> flows, std::span<const Dec
            .unit = "%",
            .upper = 3.0,
            .reason = "a hole of a single particle takes 12 % from the sums of its neighbours",
-           .explanation =
-               "volumes take up the mass that shifting exchanges, less on finer "
-               "particles, more the longer a shifting velocity is kept (three steps); the "
-               "places alone vary less (next row)"});
+           .explanation = "volumes follow the mass that shifting exchanges: less with finer "
+                          "particles, more the longer a shifting velocity is kept (three steps); "
+                          "the positions alone vary less (next row)"});
   run.add({.key = fmt::format("places_{}", re),
            .what = at + ": standard deviation of sum W dx^2, worst over time",
            .value = 100.0 * d.places,

@@ -201,8 +201,8 @@ void add_rows(CaseRun& run, const Manufactured& flow, const Levels& levels,
       .reason = "no viscosity of a debris is known better than to 2 %"};
   if (strength.verdict() == Verdict::missed)
     strength.explanation =
-        "the quadrature factor is exact for the strain at hand, here the shear; "
-        "strains across it meet up to a seventh too much (see the text)";
+        "the quadrature factor is exact for the strain of the flow, here the shear; the resistance "
+        "to strains across it is up to a seventh too high (see the text)";
   run.add(strength);
   run.add({.key = key + "_uncorrected",
            .what = fmt::format("{}: the same without the quadrature factor", flow.name),

@@ -182,9 +182,9 @@ void water_column(CaseRun& run) {
       },
       run.full() ? std::vector{18.0, 2.5, 0.4, 2.5} : std::vector{2.5, 0.4, 0.1, 0.4});
   const Measured table = measured();
-  const Limits front{
-      0.11, 0.43, "the table reads the front in steps of 0.22",
-      "the table's longest time between two readings, its first: the origin is known no better"};
+  const Limits front{0.11, 0.43, "the table reads the front in steps of 0.22",
+                     "the longest time between two readings of the table, its first: the time "
+                     "origin is not known better"};
   const Limits height{0.05, 0.43,
                       "as for the depths of dam_break; the table reads in steps of 0.055",
                       "as for the front"};
@@ -202,7 +202,7 @@ void water_column(CaseRun& run) {
            .what = "front Z at T = 3: change between the two finest spacings",
            .value = spread,
            .upper = 0.11,
-           .reason = "less than the table can tell apart"});
+           .reason = "less than the resolution of the table"});
   const auto speed = [](const Series& s) { return (s.at(3.2) - s.at(2.4)) / 0.8; };
   Series tabled{table.front.time, table.front.value};
   run.add({.key = "front_speed",
@@ -216,16 +216,17 @@ void water_column(CaseRun& run) {
            .value = finest.mass_change,
            .lower = -1e-12,
            .upper = 1e-12,
-           .reason = "particles exchange mass in opposite and equal parts; the sum rounds"});
+           .reason = "particles exchange equal and opposite masses; rounding of the sum"});
   const auto add_momentum = [&](const std::string& key, const std::string& of, double error) {
-    run.add({.key = key,
-             .what = "momentum not explained by gravity and wall forces, " + of,
-             .value = 100.0 * error,
-             .unit = "%",
-             .upper = 1.0,
-             .reason = "share of the impulse of gravity; pair forces, but for the "
-                       "tensile-instability control's, and what shifting exchanges "
-                       "are opposite and equal"});
+    run.add(
+        {.key = key,
+         .what = "momentum not explained by gravity and wall forces, " + of,
+         .value = 100.0 * error,
+         .unit = "%",
+         .upper = 1.0,
+         .reason =
+             "share of the impulse of gravity; pair forces (except those of the "
+             "tensile-instability control) and what shifting exchanges are equal and opposite"});
   };
   for (std::size_t k = 0; k < runs.size(); ++k) {
     add_momentum(k == last ? std::string("momentum_finest") : fmt::format("momentum_{}", across[k]),
@@ -243,9 +244,9 @@ void water_column(CaseRun& run) {
              .unit = "%",
              .lower = -0.5,
              .upper = 3.0,
-             .reason = "nothing breaks here: what density diffusion and shifting take must be "
-                       "small and never be given",
-             .explanation = "see the row without shifting for its part"});
+             .reason = "no breaking here: density diffusion and shifting must take little energy "
+                       "and give none",
+             .explanation = "the row without shifting shows its share"});
   };
   add_energy("energy", fmt::format("{} over the depth", across.back()), finest.numerical_share);
   add_energy("energy_coarser", fmt::format("{} over the depth", across[last - 1]),
