@@ -188,6 +188,7 @@ void add_density_diffusion(CaseRun& run, int across) {
   const std::vector<double> rate = f.density_rate;
   std::fill(f.density_grad_x.begin(), f.density_grad_x.end(), 0.0);
   std::fill(f.density_grad_z.begin(), f.density_grad_z.end(), 0.0);
+  f.pack(0, f.n);  // the sums read the neighbours' gradients from the records
   flow.update_density_rate();
   const std::vector<double>& plain = f.density_rate;
   double largest = 0.0, largest_plain = 0.0;

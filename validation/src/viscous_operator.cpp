@@ -102,11 +102,13 @@ ViscousForms viscous_forms(const Manufactured& m, int across, double smoothing, 
     f.viscosity[i] = eta[i];
     f.pair_viscosity[i] = f.quadrature[i] * eta[i];
   }
+  f.pack(0, f.n);  // the sums read the neighbours' viscosity from the records
   ViscousForms forms;
   std::vector<double> ax(f.x.size(), 0.0), az = ax;
   flow.add_viscous_force(ax, az);
   forms.solver = compared(f, m, ax, az);
   std::copy(eta.begin(), eta.end(), f.pair_viscosity.begin());
+  f.pack(0, f.n);
   std::fill(ax.begin(), ax.end(), 0.0);
   std::fill(az.begin(), az.end(), 0.0);
   flow.add_viscous_force(ax, az);
