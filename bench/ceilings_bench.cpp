@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ceiling_kernels.hpp"
-#include "passes/pass_table.hpp"
+#include "parapet/flow/pass_table.hpp"
 
 namespace parapet::bench {
 

@@ -2,8 +2,8 @@
 // core. Names: part/WHAT. The time is that of one call for all particles.
 #include <benchmark/benchmark.h>
 
-#include "rheology.hpp"
-#include "shifting.hpp"
+#include "parapet/flow/rheology.hpp"
+#include "parapet/flow/shifting.hpp"
 #include "states.hpp"
 
 namespace parapet::bench {
@@ -14,7 +14,7 @@ using benchmark::Counter;
 struct Subject {
   Subject() : flow(developed_flow(0.005, 0.7, 1)) {
     advance(flow, 3);
-    prepare(flow);
+    flow.evaluate();
   }
   solver::Flow flow;
 };
@@ -24,7 +24,7 @@ void per_particle(benchmark::State& state, int n) {
       Counter(n * static_cast<double>(state.iterations()), Counter::kIsRate | Counter::kInvert);
 }
 
-// Rows of their own, with walls of their own: those of a flow end in the ghost.
+// Rows of their own: a flow does not let go of its.
 struct OwnRows {
   explicit OwnRows(const Subject& s)
       : setup(s.flow.setup()),

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "parapet/flow/stage_timer.hpp"
 #include "pass_cost.hpp"
 #include "states.hpp"
 
@@ -19,7 +20,7 @@ using solver::PassTable;
 struct Subject {
   explicit Subject(solver::FlowSetup setup) : flow(std::move(setup)) {
     advance(flow, 3);
-    prepare(flow);
+    flow.evaluate();
     arrays = flow.arrays();
     pairs = solver::count_pairs(arrays);
     n = flow.fluid().n;

@@ -66,11 +66,8 @@ void interpolate(const solver::FlowArrays& a, int i, InitialParticle& p) {
 }
 
 std::vector<InitialParticle> particles_of(const Flow& flow) {
-  const solver::Fluid& f = flow.fluid();
   std::vector<InitialParticle> particles;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(f.n); ++k) {
-    particles.push_back({f.x[k], f.z[k], f.u[k], f.w[k], f.density[k], f.mass[k]});
-  }
+  for (int i = 0; i < flow.fluid().n; ++i) particles.push_back(flow.fluid().particle(i));
   return particles;
 }
 
@@ -108,13 +105,6 @@ void advance(Flow& flow, int steps) {
 
 void advance_to(Flow& flow, double time) {
   while (time - flow.time() > 1e-9) take_step(flow, time - flow.time());
-}
-
-void prepare(Flow& flow) {
-  flow.prepare_neighbors();
-  flow.update_pressure();
-  flow.extrapolate_walls();
-  flow.update_gradients(0.0);
 }
 
 FlowSetup developed_flow(double spacing, double time, int refinement) {

@@ -2,8 +2,7 @@
 // particles, and a plain block.
 #pragma once
 
-#include "channel.hpp"
-#include "flow.hpp"
+#include "parapet/flow/channel.hpp"
 #include "parapet/solver/simulation.hpp"
 
 namespace parapet::bench {
@@ -27,8 +26,5 @@ solver::FlowSetup box(int n);
 // One step after another; throws when one fails.
 void advance(solver::Flow& flow, int steps);
 void advance_to(solver::Flow& flow, double time);
-
-// Everything that a step works out before its first neighbour sum.
-void prepare(solver::Flow& flow);
 
 }  // namespace parapet::bench

@@ -49,7 +49,8 @@ parapet_package(CLI11)
 parapet_package(cairo PKG_CONFIG)
 
 parapet_component(math PACKAGES Eigen3)
-parapet_component(solver PACKAGES OpenMP)
+parapet_component(flow FOLDER solver/flow PACKAGES OpenMP)
+parapet_component(solver NEEDS flow PACKAGES OpenMP)
 parapet_component(designs NEEDS solver math PACKAGES nlohmann_json muparser)
 parapet_component(records NEEDS designs PACKAGES nlohmann_json)
 parapet_component(optimizer PACKAGES NLopt)
@@ -58,7 +59,7 @@ parapet_component(acquisition FOLDER optimizer/acquisition NEEDS math PACKAGES E
 parapet_component(bayesian FOLDER optimizer/bayesian NEEDS optimizer surrogate acquisition)
 parapet_component(study NEEDS math designs records optimizer bayesian PACKAGES fmt Threads)
 parapet_component(reports NEEDS math designs records study PACKAGES nlohmann_json fmt Eigen3 cairo)
-parapet_component(validation PROGRAMS NEEDS solver designs reports
+parapet_component(validation PROGRAMS NEEDS flow solver designs reports
                   PACKAGES nlohmann_json fmt Eigen3)
 parapet_component(cli PROGRAMS NEEDS solver designs optimizer study reports validation
                   PACKAGES CLI11 spdlog fmt)

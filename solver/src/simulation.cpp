@@ -6,8 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "channel.hpp"
 #include "gauges/recorder.hpp"
+#include "parapet/flow/channel.hpp"
+#include "parapet/flow/stage_timer.hpp"
 
 namespace parapet::solver {
 namespace {

@@ -7,8 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "channel.hpp"
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::solver {
 namespace {

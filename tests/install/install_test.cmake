@@ -26,6 +26,8 @@ endfunction()
 
 build_against_installed(consumer ${consumer_dir} -Dwanted_version=${version})
 
+run_or_fail("step a flow with parapet::flow" ${work_dir}/consumer/bin/step_a_flow)
+message(STATUS "${output}")
 run_or_fail("simulate with parapet::solver" ${work_dir}/consumer/bin/simulate_once)
 message(STATUS "${output}")
 run_or_fail("use every library" ${work_dir}/consumer/bin/use_all)

@@ -10,11 +10,6 @@ namespace parapet::validation {
 using solver::Flow;
 using solver::Vec2;
 
-void measure_all_walls(solver::FlowSetup& setup) {
-  setup.n_barriers = 1;
-  for (solver::Face& face : setup.solids.faces) face.barrier = 0;
-}
-
 Balance::Balance(const Flow& flow) : start_(totals(flow)), scale_(norm(start_.momentum)) {}
 
 void Balance::add_step(Flow& flow) {

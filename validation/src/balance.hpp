@@ -9,10 +9,6 @@
 
 namespace parapet::validation {
 
-// Makes all walls of a setup load cells, so that a balance knows their force. Call it when the
-// setup has all its walls.
-void measure_all_walls(solver::FlowSetup& setup);
-
 // Followed step by step by advance(). Needs measure_all_walls for the momentum; walls at rest for
 // the energy.
 class Balance {

@@ -14,8 +14,8 @@
 
 #include "barrier_runs.hpp"
 #include "cases.hpp"
-#include "channel.hpp"
 #include "flow_tools.hpp"
+#include "parapet/flow/channel.hpp"
 #include "parapet/reports/line_plot.hpp"
 #include "particle_picture.hpp"
 

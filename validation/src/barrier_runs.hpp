@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "case.hpp"
-#include "geometry.hpp"
+#include "parapet/flow/geometry.hpp"
 #include "parapet/solver/simulation.hpp"
 
 namespace parapet::validation {

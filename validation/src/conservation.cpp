@@ -13,10 +13,10 @@
 #include "balance.hpp"
 #include "barrier_runs.hpp"
 #include "cases.hpp"
-#include "channel.hpp"
 #include "flow_tools.hpp"
+#include "parapet/flow/channel.hpp"
+#include "parapet/flow/pass_table.hpp"
 #include "parapet/reports/line_plot.hpp"
-#include "passes/pass_table.hpp"
 
 namespace parapet::validation {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "kernel.hpp"
+#include "parapet/flow/kernel.hpp"
 
 namespace parapet::validation {
 

@@ -1,7 +1,7 @@
 // How evenly the particles of a flow lie.
 #pragma once
 
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::validation {
 

@@ -1,4 +1,4 @@
-// What the cases share: walls, time loops, totals of a flow and orders of convergence.
+// What the cases share: time loops and orders of convergence.
 #pragma once
 
 #include <functional>
@@ -6,18 +6,11 @@
 #include <string>
 
 #include "case.hpp"
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
+#include "parapet/flow/totals.hpp"
+#include "parapet/flow/walls.hpp"
 
 namespace parapet::validation {
-
-// Adds an unbounded straight wall from a to b; the fluid lies on its left-hand side. It must reach
-// at least two kernel supports (about 6 dx) past the fluid.
-void add_wall(solver::FlowSetup& setup, solver::Vec2 a, solver::Vec2 b);
-
-// A wall along x of a flow that is periodic over `length`: wall points for one period, seen in all.
-// `upwards`: the fluid lies above it.
-void add_periodic_wall(solver::FlowSetup& setup, double length, double z, bool upwards,
-                       solver::Vec2 velocity = {});
 
 class Balance;
 
@@ -29,17 +22,7 @@ void advance(solver::Flow& flow, double time, const CaseRun& run, Balance* balan
 void advance_sampled(solver::Flow& flow, double end, double interval, const CaseRun& run,
                      const std::function<void(solver::Flow&)>& sample, Balance* balance = nullptr);
 
-// Sums over the fluid, per metre width.
-struct Totals {
-  double mass = 0.0;              // [kg/m]
-  solver::Vec2 momentum;          // [kg/s]
-  double angular_momentum = 0.0;  // about the origin, anticlockwise in (x, z) [kg m/s]
-  double kinetic = 0.0;           // [J/m]
-  double potential = 0.0;         // in the flow's body forces [J/m]
-  double elastic = 0.0;           // of the compressible fluid, sum m c^2/2 (rho/rho_0 - 1)^2 [J/m]
-  double dissipation = 0.0;       // sum V eta g^2 with the present shear rates [W/m]
-};
-Totals totals(const solver::Flow& flow);
+using solver::Totals;
 
 // Slope of log(error) against log(spacing), least squares.
 double fitted_order(std::span<const double> spacings, std::span<const double> errors);

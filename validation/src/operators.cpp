@@ -14,9 +14,10 @@
 #include <utility>
 
 #include "cases.hpp"
-#include "channel.hpp"
 #include "flow_tools.hpp"
-#include "kernel.hpp"
+#include "parapet/flow/flow.hpp"
+#include "parapet/flow/kernel.hpp"
+#include "parapet/flow/pairs.hpp"
 #include "settled_particles.hpp"
 
 namespace parapet::validation {
@@ -48,13 +49,6 @@ FlowSetup operator_block(int across, double smoothing, bool settled) {
   return setup;
 }
 
-void evaluate(Flow& flow) {
-  flow.prepare_neighbors();
-  flow.update_pressure();
-  flow.extrapolate_walls();
-  flow.update_gradients(0.0);
-}
-
 namespace {
 
 struct Unity {
@@ -65,14 +59,14 @@ struct Unity {
 
 Unity unity(int across, double smoothing, bool settled) {
   Flow flow(operator_block(across, smoothing, settled));
-  evaluate(flow);
+  flow.evaluate();
   const Fluid& f = std::as_const(flow).fluid();
   const double h = flow.smoothing_length();
   const solver::Kernel kernel = solver::make_kernel(h, operator_side / across);
   std::vector<double> sum(f.x.size());
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = kernel.alpha * f.volume[i];
   std::vector<Vec2> gradient(sum.size());
-  Pairs(flow).for_each([&](std::size_t i, std::size_t j, Vec2 r_ij, double r) {
+  for_each_pair(flow, [&](std::size_t i, std::size_t j, Vec2 r_ij, double r) {
     sum[i] += kernel.alpha * solver::kernel_shape(r / h) * f.volume[j];
     const double falloff = std::max(1.0 - 0.5 * r / h, 0.0);
     const double factor = -kernel.f_scale * falloff * falloff * falloff * f.volume[j];
@@ -151,7 +145,7 @@ void add_linear_fields(CaseRun& run, int across) {
     p.w = 5.0 * p.x - 2.0 * p.z;
   }
   Flow flow(std::move(setup));
-  evaluate(flow);
+  flow.evaluate();
   const Fluid& f = std::as_const(flow).fluid();
   const double exact = std::sqrt(80.0);  // 2 S:S = 2 (4 + 4) + (3 + 5)^2
   double gradient = 0.0, shear = 0.0;
@@ -182,7 +176,7 @@ void add_density_diffusion(CaseRun& run, int across) {
   FlowSetup setup = free_block(across);
   for (InitialParticle& p : setup.particles) p.density += 20.0 * (operator_side - p.z);
   Flow flow(std::move(setup));
-  evaluate(flow);
+  flow.evaluate();
   Fluid& f = flow.fluid();
   flow.update_density_rate();
   const std::vector<double> rate = f.density_rate;
@@ -211,7 +205,7 @@ void add_gradient_order(CaseRun& run, const std::vector<int>& across) {
     for (InitialParticle& p : setup.particles)
       p.density += std::sin(operator_wave * p.x) * std::cos(operator_wave * p.z);
     Flow flow(std::move(setup));
-    evaluate(flow);
+    flow.evaluate();
     const Fluid& f = std::as_const(flow).fluid();
     dx.push_back(operator_side / n);
     error.push_back(rms(f,

@@ -1,13 +1,12 @@
 // Particles to try the sums of the scheme on, and what the parts of that case share.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "case.hpp"
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::validation {
 
@@ -19,44 +18,9 @@ constexpr double operator_wave = 2.0 * std::numbers::pi / operator_side;
 // margin; otherwise a square lattice.
 solver::FlowSetup operator_block(int across, double smoothing, bool settled);
 
-// Neighbours, pressures and gradients of the present state.
-void evaluate(solver::Flow& flow);
-
 inline bool looked_at(const solver::Fluid& f, std::size_t i) {
   return f.z[i] >= 0.0 && f.z[i] < operator_side;
 }
-
-// Visits the neighbours j of i within the support, brute force over a band sorted along z.
-class Pairs {
- public:
-  explicit Pairs(const solver::Flow& flow)
-      : f_(flow.fluid()), h_(flow.smoothing_length()), order_(static_cast<std::size_t>(f_.n)) {
-    for (std::size_t k = 0; k < order_.size(); ++k) order_[k] = k;
-    std::sort(order_.begin(), order_.end(), [&](auto a, auto b) { return f_.z[a] < f_.z[b]; });
-  }
-  template <class Body>  // body(i, j, r_ij, r)
-  void for_each(const Body& body) const {
-    for (std::size_t a = 0; a < order_.size(); ++a) {
-      const std::size_t i = order_[a];
-      for (std::size_t b = a + 1; b < order_.size(); ++b) {
-        const std::size_t j = order_[b];
-        const double rz = f_.z[i] - f_.z[j];
-        if (-rz >= 2.0 * h_) break;
-        double rx = f_.x[i] - f_.x[j];
-        rx -= operator_side * std::round(rx / operator_side);
-        const double r = std::hypot(rx, rz);
-        if (r >= 2.0 * h_) continue;
-        body(i, j, solver::Vec2{rx, rz}, r);
-        body(j, i, solver::Vec2{-rx, -rz}, r);
-      }
-    }
-  }
-
- private:
-  const solver::Fluid& f_;
-  double h_;
-  std::vector<std::size_t> order_;
-};
 
 // sqrt(mean square) over the particles looked at.
 template <class Value>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "case.hpp"
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::validation {
 

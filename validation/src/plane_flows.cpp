@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "channel.hpp"
 #include "flow_tools.hpp"
+#include "parapet/flow/flow.hpp"
 #include "parapet/reports/line_plot.hpp"
 
 namespace parapet::validation {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "balance.hpp"
-#include "channel.hpp"
 #include "flow_tools.hpp"
+#include "parapet/flow/channel.hpp"
 
 namespace parapet::validation::ponds {
 

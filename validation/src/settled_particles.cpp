@@ -37,10 +37,7 @@ void settle(FlowSetup& setup, double jitter, int steps) {
       if (f.x[i] < 0.0) f.x[i] += length;
       if (f.x[i] >= length) f.x[i] -= length;
     }
-    flow.prepare_neighbors();
-    flow.update_pressure();
-    flow.extrapolate_walls();
-    flow.update_gradients(0.0);
+    flow.evaluate();
     const solver::GradientSums sums = f.gradient_sums();
     // about a third of the largest factor that does not overshoot
     const double factor = -0.1 * h * h;

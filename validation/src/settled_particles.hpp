@@ -2,7 +2,7 @@
 // looks like inside after a while.
 #pragma once
 
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::validation {
 

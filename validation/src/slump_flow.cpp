@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "balance.hpp"
-#include "channel.hpp"
 #include "flow_tools.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::validation::slumps {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "balance.hpp"
-#include "channel.hpp"
 #include "flow_tools.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::validation::tank_flows {
 

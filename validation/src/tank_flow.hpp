@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "case.hpp"
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 #include "particle_picture.hpp"
 
 namespace parapet::validation::tank_flows {

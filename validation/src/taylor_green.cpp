@@ -16,9 +16,9 @@
 
 #include "balance.hpp"
 #include "cases.hpp"
-#include "channel.hpp"
 #include "evenness.hpp"
 #include "flow_tools.hpp"
+#include "parapet/flow/flow.hpp"
 #include "parapet/reports/line_plot.hpp"
 #include "particle_picture.hpp"
 #include "settled_particles.hpp"

@@ -13,8 +13,8 @@
 
 #include "balance.hpp"
 #include "cases.hpp"
-#include "channel.hpp"
 #include "flow_tools.hpp"
+#include "parapet/flow/flow.hpp"
 #include "parapet/reports/line_plot.hpp"
 
 namespace parapet::validation {

@@ -9,10 +9,11 @@
 #include <utility>
 
 #include "flow_tools.hpp"
-#include "kernel.hpp"
 #include "operators.hpp"
+#include "parapet/flow/kernel.hpp"
+#include "parapet/flow/pairs.hpp"
+#include "parapet/flow/rheology.hpp"
 #include "parapet/reports/line_plot.hpp"
-#include "rheology.hpp"
 
 namespace parapet::validation {
 
@@ -93,7 +94,7 @@ ViscousForms viscous_forms(const Manufactured& m, int across, double smoothing, 
     p.w = v.z;
   }
   Flow flow(std::move(setup));
-  evaluate(flow);
+  flow.evaluate();
   Fluid& f = flow.fluid();
   const auto n = static_cast<std::size_t>(f.n);
   std::vector<double> eta(n);
@@ -116,7 +117,7 @@ ViscousForms viscous_forms(const Manufactured& m, int across, double smoothing, 
   std::fill(ax.begin(), ax.end(), 0.0);
   std::fill(az.begin(), az.end(), 0.0);
   const solver::Kernel kernel = solver::make_kernel(flow.smoothing_length(), side / across);
-  Pairs(flow).for_each([&](std::size_t i, std::size_t j, Vec2, double r) {
+  for_each_pair(flow, [&](std::size_t i, std::size_t j, Vec2, double r) {
     const double t = 1.0 - 0.5 * r * kernel.inverse_h;
     // (r_ij . grad W)/r^2 = F = W'/r
     const double factor =

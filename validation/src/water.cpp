@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "channel.hpp"
 #include "flow_tools.hpp"
-#include "kernel.hpp"
+#include "parapet/flow/flow.hpp"
+#include "parapet/flow/kernel.hpp"
 
 namespace parapet::validation {
 

@@ -7,7 +7,7 @@
 
 #include "balance.hpp"
 #include "case.hpp"
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::validation {
 

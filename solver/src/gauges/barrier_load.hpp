@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "../flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::solver {
 

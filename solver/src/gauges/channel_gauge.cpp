@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../index.hpp"
+#include "parapet/flow/index.hpp"
 
 namespace parapet::solver {
 namespace {

@@ -1,8 +1,8 @@
 // Front, depth, kinetic energy and dead zone: what is read along the channel at one instant.
 #pragma once
 
-#include "../fluid.hpp"
 #include "gauge_scene.hpp"
+#include "parapet/flow/fluid.hpp"
 
 namespace parapet::solver {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "../geometry.hpp"
+#include "parapet/flow/geometry.hpp"
 
 namespace parapet::solver {
 

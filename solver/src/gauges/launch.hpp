@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "../fluid.hpp"
 #include "gauge_scene.hpp"
+#include "parapet/flow/fluid.hpp"
 
 namespace parapet::solver {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "../flow.hpp"
 #include "barrier_load.hpp"
 #include "gauge_scene.hpp"
 #include "launch.hpp"
+#include "parapet/flow/flow.hpp"
 #include "parapet/solver/simulation.hpp"
 #include "run_readings.hpp"
 

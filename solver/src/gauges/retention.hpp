@@ -1,8 +1,8 @@
 // Mass on either side of the barriers' lines (Eq. 17), run-up and arrival.
 #pragma once
 
-#include "../fluid.hpp"
 #include "gauge_scene.hpp"
+#include "parapet/flow/fluid.hpp"
 
 namespace parapet::solver {
 

@@ -1,5 +1,5 @@
 // The particle store: what is done to all quantities alike is done to every line of its table.
-#include "fluid.hpp"
+#include "parapet/flow/fluid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <set>
 #include <string>
 
-#include "channel.hpp"
-#include "wall_layout.hpp"
+#include "parapet/flow/channel.hpp"
+#include "parapet/flow/wall_layout.hpp"
 
 namespace parapet::solver {
 namespace {

@@ -1,5 +1,5 @@
 // Where stems and deflectors point, and what a segment meets first.
-#include "geometry.hpp"
+#include "parapet/flow/geometry.hpp"
 
 #include <gtest/gtest.h>
 

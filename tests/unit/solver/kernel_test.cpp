@@ -1,5 +1,5 @@
 // The Wendland kernel: normalised, smooth at its edge, and F really its derivative over r.
-#include "kernel.hpp"
+#include "parapet/flow/kernel.hpp"
 
 #include <gtest/gtest.h>
 

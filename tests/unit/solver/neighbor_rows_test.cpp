@@ -1,12 +1,12 @@
 // Neighbour rows against brute force, and the separation of a plate's two sides at every spacing.
-#include "neighbor_rows.hpp"
+#include "parapet/flow/neighbor_rows.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
 
-#include "channel.hpp"
+#include "parapet/flow/channel.hpp"
 
 namespace parapet::solver {
 namespace {

@@ -6,10 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "channel.hpp"
-#include "flow.hpp"
-#include "passes/pass_table.hpp"
-#include "shifting.hpp"
+#include "parapet/flow/flow.hpp"
+#include "parapet/flow/pass_table.hpp"
+#include "parapet/flow/shifting.hpp"
 
 namespace parapet::solver {
 namespace {
@@ -237,10 +236,7 @@ TEST(Passes, RenormalisedGradientsAreExactForLinearFields) {
   }
   setup.wall_slip = WallSlip::free_slip;
   Flow flow(std::move(setup));
-  flow.prepare_neighbors();
-  flow.update_pressure();
-  flow.extrapolate_walls();
-  flow.update_gradients(0.0);
+  flow.evaluate();
   const Fluid& f = static_cast<const Flow&>(flow).fluid();
   // 2 S:S = 2 (4 + 4) + (3 + 5)^2 = 80; at the surface part of the pairs that shear is missing
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
@@ -264,10 +260,7 @@ TEST(Passes, ShiftingMovesDisplacedParticlesBackAndLeavesTheSurfaceAlone) {
   setup.particles[displaced].x += 0.3 * dx;
   setup.particles[displaced].z -= 0.2 * dx;
   Flow flow(std::move(setup));
-  flow.prepare_neighbors();
-  flow.update_pressure();
-  flow.extrapolate_walls();
-  flow.update_gradients(0.0);
+  flow.evaluate();
   Fluid& f = flow.fluid();
   constexpr double largest_speed = 2.0;
   finish_gradients(f, {h, largest_speed, 1.0, false}, 0, f.n);
@@ -324,10 +317,7 @@ TEST(Passes, ViscousPowerIsTheDissipationOfTheShearRates) {
     p.w = speed(random);
   }
   Flow flow(std::move(setup));
-  flow.prepare_neighbors();
-  flow.update_pressure();
-  flow.extrapolate_walls();
-  flow.update_gradients(0.0);
+  flow.evaluate();
   const Fluid& f = static_cast<const Flow&>(flow).fluid();
   std::vector<double> ax(f.x.size(), 0.0), az = ax;
   flow.add_viscous_force(ax, az);

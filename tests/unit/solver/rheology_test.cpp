@@ -1,5 +1,5 @@
 // Herschel-Bulkley viscosity and the correction of the viscous sum.
-#include "rheology.hpp"
+#include "parapet/flow/rheology.hpp"
 
 #include <gtest/gtest.h>
 

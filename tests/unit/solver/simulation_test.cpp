@@ -7,8 +7,8 @@
 #include <cstring>
 #include <set>
 
-#include "channel.hpp"
 #include "gauges/recorder.hpp"
+#include "parapet/flow/flow.hpp"
 #include "parapet/solver/metric_catalog.hpp"
 
 namespace parapet::solver {

@@ -1,5 +1,5 @@
 // The stopwatch on a clock that is set by hand: nothing here depends on how fast the machine is.
-#include "stage_timer.hpp"
+#include "parapet/flow/stage_timer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Each limit of the time step, alone.
-#include "time_step.hpp"
+#include "parapet/flow/time_step.hpp"
 
 #include <gtest/gtest.h>
 

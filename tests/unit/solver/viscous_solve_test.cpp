@@ -7,8 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "channel.hpp"
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::solver {
 namespace {
@@ -26,10 +25,7 @@ std::unique_ptr<Flow> free_block() {
     p.w = speed(random);
   }
   auto flow = std::make_unique<Flow>(std::move(setup));
-  flow->prepare_neighbors();
-  flow->update_pressure();
-  flow->extrapolate_walls();
-  flow->update_gradients(0.0);
+  flow->evaluate();
   return flow;
 }
 

@@ -1,5 +1,5 @@
 // Wall points: in the plate's own frame, complete behind every face, continuous in its length.
-#include "wall_layout.hpp"
+#include "parapet/flow/wall_layout.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "flow.hpp"
+#include "parapet/flow/flow.hpp"
 
 namespace parapet::solver {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "fluid.hpp"
 #include "gauges/gauge_scene.hpp"
+#include "parapet/flow/fluid.hpp"
 
 namespace parapet::solver {
 

@@ -1,0 +1,35 @@
+/// Wendland C2 kernel in two dimensions (Eq. 5): W = alpha_D (1 - q/2)^4 (2q + 1) for q = r/h <= 2,
+/// alpha_D = 7/(4 pi h^2). Its gradient is F r_ij with F = W'/r = -(5 alpha_D/h^2) (1 - q/2)^3,
+/// which needs no division and is finite at r = 0.
+#pragma once
+
+#include <numbers>
+
+namespace parapet::solver {
+
+/// Neighbour rows are padded to whole vectors of this many doubles.
+constexpr int lanes = 8;
+
+/// Constants of the kernel for one smoothing length.
+struct Kernel {
+  double inverse_h;     ///< [1/m]
+  double alpha;         ///< alpha_D [1/m2]
+  double f_scale;       ///< 5 alpha_D / h^2 [1/m4]
+  double w_at_spacing;  ///< W(dx) [1/m2]
+};
+
+/// W/alpha_D at q = r/h.
+inline double kernel_shape(double q) {
+  const double t = 1.0 - 0.5 * q;
+  return q < 2.0 ? t * t * t * t * (2.0 * q + 1.0) : 0.0;
+}
+
+/// @param smoothing_length h [m]
+/// @param spacing dx [m]
+inline Kernel make_kernel(double smoothing_length, double spacing) {
+  const double h = smoothing_length;
+  const double alpha = 7.0 / (4.0 * std::numbers::pi * h * h);
+  return {1.0 / h, alpha, 5.0 * alpha / (h * h), alpha * kernel_shape(spacing / h)};
+}
+
+}  // namespace parapet::solver

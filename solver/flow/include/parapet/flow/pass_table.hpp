@@ -1,0 +1,51 @@
+/// The passes: the neighbour sums, each over a range [begin, end) of particles or of wall points;
+/// one table per instruction set. Flow calls them; call them yourself to measure or to check them.
+///
+///     FlowArrays arrays = flow.arrays();
+///     const PassTable& passes = best_passes();
+///     passes.pressure_force(arrays, ax.data(), az.data(), 0, arrays.fluid.n);
+#pragma once
+
+#include <string_view>
+
+#include "parapet/flow/flow_arrays.hpp"
+
+namespace parapet::solver {
+
+/// The passes of one instruction set.
+struct PassTable {
+  const char* name;  ///< of the instruction set
+  /// The rows without the pairs that the skin holds but the kernel does not reach; the rows of a
+  /// range start at its first row's old place.
+  void (*reached_rows)(const FlowArrays&, const ReachedRows&, int begin, int end);
+  /// Pressure and velocity of the fluid at wall points (Adami et al. 2012); range over active_wall.
+  void (*extrapolate_walls)(const FlowArrays&, int begin, int end);
+  /// All sums of the renormalised gradients, shifting and strain rate.
+  void (*gradient_sums)(const FlowArrays&, const GradientSums&, int begin, int end);
+  /// Pressure part of Eq. 6 into ax, az [m/s2].
+  void (*pressure_force)(const FlowArrays&, double* ax, double* az, int begin, int end);
+  /// Viscous part of Eq. 6, added to ax, az [m/s2].
+  void (*viscous_force)(const FlowArrays&, double* ax, double* az, int begin, int end);
+  /// Density rate of Eq. 6-7, with what shifting adds to it and the mass and momentum that shifting
+  /// exchanges.
+  void (*density_rate)(const FlowArrays&, const ShiftedRates&, int begin, int end);
+  /// The viscous force as a matrix, for the implicit step.
+  void (*viscous_matrix)(const FlowArrays&, const ViscousView&, int begin, int end);
+  /// y = A p over the fluid; both [n_fluid + 1], p with the ghost at rest. Returns p . y.
+  double (*viscous_product)(const FlowArrays&, const ViscousView&, const Pair* p, Pair* y,
+                            int begin, int end);
+  /// solution += step direction, residual -= step image, preconditioned = D^-1 residual.
+  DescentSums (*descend)(const DescentView&, double step, int begin, int end);
+  /// direction = preconditioned + beta direction.
+  void (*turn)(const DescentView&, double beta, int begin, int end);
+  /// Force of the fluid on wall points [N/m]; range over active_wall.
+  void (*wall_load)(const FlowArrays&, double* fx, double* fz, int begin, int end);
+};
+
+/// The fastest table that this machine can run. Every table gives the same bits.
+const PassTable& best_passes();
+
+/// By name ("x86_64", "x86_64_v3", "x86_64_v4"); nullptr when this machine or build lacks it.
+const PassTable* find_passes(std::string_view name);
+
+}  // namespace parapet::solver

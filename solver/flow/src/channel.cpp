@@ -1,0 +1,66 @@
+#include "parapet/flow/channel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace parapet::solver {
+namespace {
+
+void add_channel(Solids& solids, const Scene& scene, double margin) {
+  // bed and back wall are unbounded: bodies without an outline
+  solids.bodies.push_back({});
+  solids.faces.push_back(make_face({0.0, 0.0}, {scene.domain_length + margin, 0.0}, 0, -1));
+  solids.bodies.push_back({});
+  solids.faces.push_back(make_face({0.0, scene.domain_height + margin}, {0.0, 0.0}, 1, -1));
+}
+
+// A random offset of every particle, to measure how far an answer depends on the lattice.
+void jitter(std::vector<InitialParticle>& particles, const Numerics& numerics) {
+  if (numerics.lattice_jitter == 0.0) return;
+  std::mt19937_64 random(numerics.lattice_seed);
+  const auto offset = [&] {
+    // 53 random bits, the same on every standard library
+    const double unit = static_cast<double>(random() >> 11) * 0x1.0p-53;
+    return (2.0 * unit - 1.0) * numerics.lattice_jitter * numerics.spacing;
+  };
+  for (InitialParticle& p : particles) {
+    p.x += offset();
+    p.z += offset();
+  }
+}
+
+}  // namespace
+
+FlowSetup channel_setup(const Scene& scene, const Numerics& numerics, int threads) {
+  FlowSetup setup;
+  setup.numerics = numerics;
+  setup.material = scene.material;
+  setup.gravity = {scene.gravity * std::sin(scene.slope), -scene.gravity * std::cos(scene.slope)};
+  setup.wall_slip = scene.wall_slip;
+  setup.outlet_x = scene.domain_length;
+  setup.ceiling_z = scene.domain_height;
+  setup.n_barriers = static_cast<int>(scene.barriers.size());
+  setup.threads = threads;
+  add_channel(setup.solids, scene, 4.0 * numerics.smoothing_ratio * numerics.spacing);
+  for (const SolidPolygon& solid : scene.solids) {
+    add_outline(setup.solids, {solid.vertices.rbegin(), solid.vertices.rend()}, -1, false);
+  }
+  for (std::size_t k = 0; k < scene.barriers.size(); ++k) {
+    add_outline(setup.solids, barrier_outline(scene, scene.barriers[k]), static_cast<int>(k), true);
+  }
+  setup.particles = lattice_block(0.0, 0.0, scene.reservoir_length, scene.reservoir_height,
+                                  numerics.spacing, scene.material.density);
+  if (numerics.hydrostatic_start) {
+    const double c2 = numerics.sound_speed * numerics.sound_speed;
+    for (InitialParticle& p : setup.particles) {
+      const double pressure =
+          scene.material.density * -setup.gravity.z * (scene.reservoir_height - p.z);
+      p.density += pressure / c2;
+    }
+  }
+  jitter(setup.particles, numerics);
+  return setup;
+}
+
+}  // namespace parapet::solver

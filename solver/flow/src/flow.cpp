@@ -1,0 +1,156 @@
+#include "parapet/flow/flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "parapet/flow/index.hpp"
+#include "parapet/flow/rheology.hpp"
+#include "parapet/flow/stage_timer.hpp"
+#include "parapet/flow/time_step.hpp"
+#include "time_integrator.hpp"
+#include "viscous_solve.hpp"
+
+namespace parapet::solver {
+namespace {
+
+// |rho/rho_0 - 1| beyond this is no longer this fluid. A jet that closes a corner is compressed by
+// a quarter for a millisecond (impact speed over sound speed, reflected from both walls).
+constexpr double density_limit = 0.5;
+
+constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
+constexpr double shortest_step = 1e-10;  // [s]
+
+FlowSetup checked(FlowSetup setup) {
+  std::string text;
+  for (const std::string& error : setup_errors(setup)) text += (text.empty() ? "" : "; ") + error;
+  if (!text.empty()) throw std::invalid_argument(text);
+  return setup;
+}
+
+}  // namespace
+
+Flow::Flow(FlowSetup setup)
+    : setup_(checked(std::move(setup))),
+      passes_(setup_.passes ? *setup_.passes : best_passes()),
+      walls_(lay_out_walls(setup_.solids, setup_.numerics.spacing, 2.0 * smoothing_length())),
+      rows_(setup_.solids, walls_, 2.0 * smoothing_length(),
+            setup_.numerics.skin_ratio * smoothing_length(), setup_.periodic_length),
+      viscous_(std::make_unique<ViscousSolve>()),
+      integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
+                      ? make_rk4_explicit()
+                      : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
+      impulses_(at(setup_.n_barriers)) {
+  fluid_.assign(setup_.particles);
+  const std::size_t n = walls_.size();
+  first_barrier_point_ = static_cast<int>(n);
+  for (std::size_t k = n; k-- > 0;) {
+    if (setup_.solids.faces[at(walls_.owner[k])].barrier >= 0) {
+      first_barrier_point_ = static_cast<int>(k);
+    }
+  }
+  max_acceleration_ = norm(setup_.gravity);
+}
+
+Flow::~Flow() = default;
+
+std::optional<Failure> Flow::check_state() {
+  const double rho_0 = setup_.material.density;
+  double speed2 = 0.0, compression = 0.0;
+  bool finite = true;
+  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    const double s2 = fluid_.u[i] * fluid_.u[i] + fluid_.w[i] * fluid_.w[i];
+    speed2 = std::max(speed2, s2);
+    compression = std::max(compression, std::abs(fluid_.density[i] / rho_0 - 1.0));
+    finite = finite && std::isfinite(s2 + fluid_.density[i] + fluid_.x[i] + fluid_.z[i]);
+  }
+  max_speed_ = std::sqrt(speed2);
+  if (!finite) return Failure{StopReason::not_a_number, "a particle's state is not a number"};
+  statistics_.max_speed = std::max(statistics_.max_speed, max_speed_);
+  statistics_.max_density_error = std::max(statistics_.max_density_error, compression);
+  if (max_speed_ > speed_limit * setup_.numerics.sound_speed) {
+    return Failure{StopReason::runaway_speed, "a particle moves at " + std::to_string(max_speed_) +
+                                                  " m/s, more than half the sound speed"};
+  }
+  if (compression > density_limit) {
+    return Failure{StopReason::density_range, "a density is " +
+                                                  std::to_string(100.0 * compression) +
+                                                  " % away from the reference density"};
+  }
+  return std::nullopt;
+}
+
+void Flow::remove_departed() {
+  std::vector<std::int32_t> leaving;
+  for (int i = 0; i < fluid_.n; ++i) {
+    const auto k = at(i);
+    if (setup_.periodic_length > 0.0) {
+      if (fluid_.x[k] < 0.0) fluid_.x[k] += setup_.periodic_length;
+      if (fluid_.x[k] >= setup_.periodic_length) fluid_.x[k] -= setup_.periodic_length;
+    }
+    if (fluid_.x[k] > setup_.outlet_x || fluid_.z[k] > setup_.ceiling_z) {
+      leaving.push_back(i);
+      departures_.push_back({fluid_.id[k], fluid_.mass[k], fluid_.x[k]});
+      left_mass_ += fluid_.mass[k];
+    }
+  }
+  if (leaving.empty()) return;
+  fluid_.remove(leaving);
+  rows_.invalidate();
+}
+
+std::optional<Failure> Flow::step(double longest) {
+  const StageScope scope(setup_.timer, Stage::step_control);
+  if (statistics_.steps == 0) {
+    update_pressure();
+    if (auto failure = check_state()) return failure;
+  }
+  prepare_neighbors();
+  update_pressure();
+  double max_viscosity = 0.0;
+  if (integrator_->explicit_viscosity() && !inviscid()) {
+    // thinning debris is thickest at rest, thickening debris where it shears most
+    max_viscosity = apparent_viscosity(setup_.material, 0.0);
+    for (const double eta : fluid_.pair_viscosity) max_viscosity = std::max(max_viscosity, eta);
+  }
+  const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic
+                                                        : integrator_->default_acoustic_cfl();
+  const TimeStepInput input{smoothing_length(),      max_speed_, max_acceleration_, max_viscosity,
+                            setup_.material.density, cfl};
+  const double stable = stable_time_step(setup_.numerics, input);
+  if (!(stable > shortest_step)) {
+    return Failure{StopReason::time_step_collapse,
+                   "the stable time step fell to " + std::to_string(stable) + " s"};
+  }
+  // whole steps until `longest`, so that samples fall on their times without a tiny last step
+  const double dt = longest / std::max(1.0, std::ceil(longest / stable - 1e-9));
+  if (setup_.timer) {
+    setup_.timer->count_step(deciding_limit(setup_.numerics, input), dt, stable);
+  }
+  x_before_ = fluid_.x;
+  z_before_ = fluid_.z;
+  const std::vector<double>& u = fluid_.u;
+  const std::vector<double>& w = fluid_.w;
+  u_before_ = u;
+  w_before_ = w;
+  {
+    const StageScope advance(setup_.timer, Stage::integrate);
+    if (auto failure = integrator_->advance(*this, dt)) return failure;
+  }
+  stop_at_walls();
+  if (auto failure = check_state()) return failure;
+  double a2 = 0.0;
+  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    const double du = u[i] - u_before_[i], dw = w[i] - w_before_[i];
+    a2 = std::max(a2, du * du + dw * dw);
+  }
+  max_acceleration_ = std::sqrt(a2) / dt;
+  remove_departed();
+  time_ += dt;
+  dt_ = dt;
+  ++statistics_.steps;
+  return std::nullopt;
+}
+
+}  // namespace parapet::solver

@@ -1,0 +1,193 @@
+// The terms of the equations, each a loop over all particles or wall points.
+#include <algorithm>
+#include <cmath>
+
+#include "parallel.hpp"
+#include "parapet/flow/flow.hpp"
+#include "parapet/flow/index.hpp"
+#include "parapet/flow/rheology.hpp"
+#include "parapet/flow/shifting.hpp"
+#include "parapet/flow/stage_timer.hpp"
+#include "viscous_solve.hpp"
+
+namespace parapet::solver {
+namespace {
+
+// Spray is not stretched below this share of rho_0. Closer to 1 than the compression of material at
+// rest it would swell with every bounce.
+constexpr double thinnest_spray = 0.999;
+
+// Shifting evens out the places like a diffusion of h u_max; kept unchanged for too long it
+// overshoots. A share of dx that a particle may cover at u_max meanwhile: without a bound, runs
+// that kept it for three steps went well, for four they ran away (up to 0.26 and 0.35 dx at 0.1
+// c_s).
+constexpr double farthest_shift = 0.15;
+
+}  // namespace
+
+double Flow::smoothing_length() const {
+  return setup_.numerics.smoothing_ratio * setup_.numerics.spacing;
+}
+
+bool Flow::inviscid() const {
+  return setup_.material.yield_stress == 0.0 && setup_.material.consistency == 0.0;
+}
+
+FlowArrays Flow::arrays() {
+  pack(&Fluid::pack);
+  return packed_arrays();
+}
+
+void Flow::pack(void (Fluid::*records)(int, int)) {
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) { (fluid_.*records)(begin, end); });
+}
+
+FlowArrays Flow::packed_arrays() {
+  const Numerics& numerics = setup_.numerics;
+  FlowConstants c;
+  c.kernel = make_kernel(smoothing_length(), numerics.spacing);
+  c.smoothing_length = smoothing_length();
+  c.sound_speed = numerics.sound_speed;
+  c.reference_density = setup_.material.density;
+  c.density_diffusion = numerics.density_diffusion;
+  c.gravity_x = setup_.gravity.x;
+  c.gravity_z = setup_.gravity.z;
+  c.periodic_length = setup_.periodic_length;
+  c.even_volume = numerics.spacing * numerics.spacing;
+  c.no_slip = setup_.wall_slip == WallSlip::no_slip;
+  RowView rows = rows_.view();
+  rows.begin = reached_begin_.data();
+  rows.wall_begin = reached_wall_begin_.data();
+  rows.end = reached_end_.data();
+  rows.index = reached_index_.data();
+  return {c, fluid_.view(), walls_.view(), rows};
+}
+
+void Flow::prepare_neighbors() {
+  const StageScope check(setup_.timer, Stage::neighbor_check);
+  const bool outdated = rows_.outdated(fluid_);
+  if (outdated) {
+    const StageScope build(setup_.timer, Stage::neighbor_rows);
+    rows_.build(fluid_, threads());
+    pack(&Fluid::pack);  // the particles stand in another order now
+    ++statistics_.neighbor_builds;
+  }
+  find_reached_pairs();
+  if (!outdated || setup_.timer == nullptr) return;
+  const StageScope profiling(setup_.timer, Stage::profiling);
+  setup_.timer->set_pairs(count_pairs(arrays()));
+}
+
+void Flow::find_reached_pairs() {
+  for (auto* a : {&reached_begin_, &reached_wall_begin_, &reached_end_}) a->resize(at(fluid_.n));
+  // a vector is stored whole before its pairs are counted
+  reached_index_.resize(static_cast<std::size_t>(rows_.fluid_slots()) + lanes);
+  pack(&Fluid::pack_motion);
+  FlowArrays a = packed_arrays();
+  a.rows = rows_.view();
+  const ReachedRows reached{reached_begin_.data(), reached_wall_begin_.data(), reached_end_.data(),
+                            reached_index_.data()};
+  for_blocks(fluid_.n, threads(),
+             [&](int begin, int end) { passes_.reached_rows(a, reached, begin, end); });
+}
+
+void Flow::update_pressure() {
+  const StageScope scope(setup_.timer, Stage::equation_of_state);
+  const double c2 = setup_.numerics.sound_speed * setup_.numerics.sound_speed;
+  const double rho_0 = setup_.material.density;
+  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    if (is_alone(fluid_.closeness[i])) fluid_.density[i] = rho_0;
+    fluid_.pressure[i] = c2 * (fluid_.density[i] - rho_0);
+    if (is_spray(fluid_.lambda[i]) && fluid_.pressure[i] < 0.0) {
+      fluid_.pressure[i] = 0.0;
+      fluid_.density[i] = std::max(fluid_.density[i], thinnest_spray * rho_0);
+    }
+    fluid_.volume[i] = fluid_.mass[i] / fluid_.density[i];
+  }
+  pack(&Fluid::pack_state);
+}
+
+void Flow::extrapolate_walls() {
+  const StageScope scope(setup_.timer, Stage::wall_boundary);
+  pack(&Fluid::pack_motion);
+  const FlowArrays a = packed_arrays();
+  for_blocks(a.rows.n_active, threads(),
+             [&](int begin, int end) { passes_.extrapolate_walls(a, begin, end); });
+}
+
+void Flow::update_gradients(double interval) {
+  const StageScope scope(setup_.timer, Stage::gradients);
+  const FlowArrays a = packed_arrays();
+  const double stable = farthest_shift * setup_.numerics.spacing;
+  const ShiftingSettings settings{smoothing_length(),
+                                  interval * max_speed_ > stable ? stable / interval : max_speed_,
+                                  setup_.numerics.shifting_factor, a.constants.no_slip};
+  const GradientSums sums = fluid_.gradient_sums();
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) {
+    passes_.gradient_sums(a, sums, begin, end);
+    finish_gradients(fluid_, settings, begin, end);
+    for (std::size_t i = at(begin); i < at(end); ++i) {
+      fluid_.viscosity[i] = apparent_viscosity(setup_.material, fluid_.shear_rate[i]);
+      fluid_.pair_viscosity[i] = fluid_.quadrature[i] * fluid_.viscosity[i];
+    }
+  });
+  // only now: meanwhile other particles were looking at the old viscosities
+  pack(&Fluid::pack_state);
+  pack(&Fluid::pack_shift);
+}
+
+void Flow::add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az) {
+  const StageScope scope(setup_.timer, Stage::pressure_force);
+  const FlowArrays a = packed_arrays();
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) {
+    passes_.pressure_force(a, ax.data(), az.data(), begin, end);
+    for (std::size_t i = at(begin); i < at(end); ++i) {
+      ax[i] += setup_.gravity.x - setup_.central_force * fluid_.x[i];
+      az[i] += setup_.gravity.z - setup_.central_force * fluid_.z[i];
+    }
+  });
+}
+
+void Flow::add_viscous_force(std::vector<double>& ax, std::vector<double>& az) {
+  const StageScope scope(setup_.timer, Stage::viscous_force);
+  const FlowArrays a = packed_arrays();
+  for_blocks(fluid_.n, threads(), [&](int begin, int end) {
+    passes_.viscous_force(a, ax.data(), az.data(), begin, end);
+  });
+}
+
+bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<double>& w_star,
+                           std::vector<double>& u, std::vector<double>& w, double dt) {
+  const StageScope scope(setup_.timer, Stage::conjugate_gradients);
+  const ViscousSolve::Settings settings{setup_.numerics.cg_tolerance,
+                                        setup_.numerics.cg_max_iterations, threads(), setup_.timer};
+  const auto outcome =
+      viscous_->solve(passes_, packed_arrays(), fluid_, u_star, w_star, u, w, dt, settings);
+  statistics_.cg_iterations += outcome.iterations;
+  if (setup_.timer) setup_.timer->add_visits(Stage::conjugate_gradients, outcome.iterations);
+  return outcome.converged;
+}
+
+void Flow::update_density_rate() {
+  const StageScope scope(setup_.timer, Stage::density_rate);
+  pack(&Fluid::pack_motion);
+  const FlowArrays a = packed_arrays();
+  const ShiftedRates rates = fluid_.rates();
+  for_blocks(fluid_.n, threads(),
+             [&](int begin, int end) { passes_.density_rate(a, rates, begin, end); });
+}
+
+void Flow::evaluate() {
+  prepare_neighbors();
+  update_pressure();
+  extrapolate_walls();
+  update_gradients(0.0);
+}
+
+void Flow::refresh() {
+  update_pressure();
+  if (statistics_.steps > 0) return;
+  evaluate();
+}
+
+}  // namespace parapet::solver

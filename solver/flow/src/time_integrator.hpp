@@ -1,0 +1,25 @@
+// The two time integrations behind one interface.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "parapet/flow/flow.hpp"
+
+namespace parapet::solver {
+
+class TimeIntegrator {
+ public:
+  virtual ~TimeIntegrator() = default;
+  // Largest multiple of h/(c_s + u_max) that is stable, and accurate enough, by default.
+  virtual double default_acoustic_cfl() const = 0;
+  virtual bool explicit_viscosity() const = 0;
+  // Moves positions, velocities and densities by dt. Pressure, volumes and rows are those of the
+  // state before the step.
+  virtual std::optional<Failure> advance(Flow& flow, double dt) = 0;
+};
+
+std::unique_ptr<TimeIntegrator> make_implicit_viscosity(int steps_per_solve);
+std::unique_ptr<TimeIntegrator> make_rk4_explicit();
+
+}  // namespace parapet::solver
