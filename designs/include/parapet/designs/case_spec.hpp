@@ -11,6 +11,7 @@
 
 namespace parapet::designs {
 
+/// JSON whose keys keep the order in which they were written.
 using Json = nlohmann::ordered_json;
 
 /// A parsed case file. `resolved` is the same case as JSON with every default written out: reading

@@ -22,7 +22,9 @@ std::string to_string(const InputIssue& issue);
 /// Thrown by everything that reads input; what() holds one line per issue.
 class InputError : public std::runtime_error {
  public:
+  /// @param issues at least one
   explicit InputError(std::vector<InputIssue> issues);
+  /// Every finding, in the order of the file.
   const std::vector<InputIssue>& issues() const { return issues_; }
 
  private:

@@ -17,6 +17,7 @@ namespace parapet::designs {
 /// options taken is not in the map.
 using Design = std::map<std::string, double>;
 
+/// What values a variable may take: any between its bounds, whole numbers, or options.
 enum class VariableKind { continuous, integer, choice };
 
 /// One option of a choice: what it changes in the case, removals first.
@@ -54,6 +55,7 @@ enum class Statistic {
   probability  ///< weight of the scenarios in which the metric is within the limits
 };
 
+/// Which way an objective is better.
 enum class Goal { maximize, minimize };
 
 /// A metric, or a formula of the design variables, that is to be maximised or minimised.
@@ -127,6 +129,7 @@ struct Method {
   bool repeatable = false;         ///< the same designs for the same jobs, however fast each one is
 };
 
+/// A parsed study file, checked and with every default filled in.
 struct StudySpec {
   std::string name;
   std::string description;
@@ -151,6 +154,8 @@ enum class SearchKind {
   scalarized,   ///< NLopt, several problems with one objective each
   weighted_sum  ///< NLopt
 };
+
+/// What the algorithm's name stands for.
 SearchKind search_kind(const StudySpec& study);
 
 /// Whether max_evaluations decides which designs are asked for, not only how many: a Latin
@@ -161,8 +166,11 @@ bool is_laid_out_for_budget(const StudySpec& study);
 /// The finest particle spacing of a study: the one that counts [m].
 double finest_spacing(const StudySpec& study);
 
+/// Reads and checks a study. `file` only names the source in messages.
 /// @throws InputError with every issue found.
 StudySpec parse_study(const Json& json, const std::string& file);
+
+/// The same with the file read from disk.
 StudySpec load_study(const std::filesystem::path& file);
 
 /// The case of one design: the options of choices are applied in the order of the variables, then
@@ -185,6 +193,8 @@ struct DesignReading {
   Design design;
   std::vector<InputIssue> issues;
 };
+
+/// Reads and checks such a design. `source` only names the source in the issues.
 DesignReading read_design(const StudySpec& study, const Json& json, const std::string& source);
 
 /// The design in that form: the inverse of read_design.
@@ -215,14 +225,21 @@ struct SweepRow {
   Json published;  ///< what the source states for this row: metric key -> value or range, with
                    ///< the sentence's place; null when nothing
 };
+
+/// A parsed sweep file.
 struct SweepSpec {
   std::string name;
   std::string source;
   std::vector<SweepRow> rows;
   Json resolved;
 };
-SweepSpec load_sweep(const std::filesystem::path& file);
+
+/// Reads and checks a sweep. `file` only names the source in messages.
+/// @throws InputError with every issue found.
 SweepSpec parse_sweep(const Json& json, const std::string& file);
+
+/// The same with the file read from disk.
+SweepSpec load_sweep(const std::filesystem::path& file);
 
 /// The shipped specs, embedded in the program: quickstart, table3, ... nullptr when unknown.
 const char* embedded_spec(const std::string& name);

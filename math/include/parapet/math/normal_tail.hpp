@@ -22,6 +22,7 @@ class ExcessFactor {
  public:
   ExcessFactor();
 
+  /// The factor at t.
   double operator()(double t) const {
     if (!(t < series_from)) return series(t);
     const double y = 4.0 / (4.0 + t);

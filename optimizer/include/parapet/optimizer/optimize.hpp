@@ -11,6 +11,7 @@
 
 namespace parapet::optimizer {
 
+/// How to search; the defaults suit few variables and an expensive function.
 struct Options {
   std::string algorithm = "COBYLA";  ///< NLopt's name, any case, with or without prefix
   std::string local_algorithm;       ///< for MLSL and AUGLAG; empty for all others
@@ -25,7 +26,10 @@ struct Options {
   std::function<bool()> cancelled;          ///< polled between evaluations
 };
 
+/// Why a search ended.
 enum class Termination { converged, budget, time_limit, cancelled, no_feasible_start, failed };
+
+/// The name as it is spelt here: "no_feasible_start".
 std::string to_string(Termination termination);
 
 /// One point that was evaluated.
@@ -36,6 +40,7 @@ struct Point {
   bool starting = false;  ///< one of the starting designs
 };
 
+/// What a search came to.
 struct OptimizeResult {
   Termination termination = Termination::failed;
   std::string message;                   ///< in words, with the optimiser's own return code
@@ -55,6 +60,8 @@ struct AlgorithmInfo {
   bool randomized = false;
   std::string note = {};
 };
+
+/// Every algorithm that Options::algorithm may name.
 const std::vector<AlgorithmInfo>& algorithms();
 
 /// Why these options cannot solve a problem of this shape, one sentence each; empty when they can.

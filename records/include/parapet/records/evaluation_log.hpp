@@ -67,11 +67,16 @@ struct EvaluationRecord {
   double particle_steps = 0.0;            ///< sum over the scenarios; 0: not known
 };
 
+/// A scenario as the log holds it.
 designs::Json to_json(const ScenarioRecord& scenario);
+
+/// A design as a line of the log holds it.
 designs::Json to_json(const EvaluationRecord& record);
 
 /// @throws std::runtime_error or nlohmann::json::exception saying what is wrong with the record.
 EvaluationRecord record_from_json(const designs::Json& json);
+
+/// The inverse of to_json for a scenario; throws the same.
 ScenarioRecord scenario_from_json(const designs::Json& json);
 
 /// What a log holds.
@@ -103,6 +108,7 @@ class EvaluationLog {
   /// @throws FileError; the log is then cut back to what it was.
   void append(const EvaluationRecord& record);
 
+  /// Every record, in the order of the file.
   const std::vector<EvaluationRecord>& records() const { return records_; }
 
   /// The record of exactly this design (the same bits) at this particle spacing [m], or nullptr.
@@ -111,6 +117,7 @@ class EvaluationLog {
   /// Whether a record has this id.
   bool has_id(const std::string& id) const;
 
+  /// What was repaired when the log was opened; empty if nothing was.
   const std::string& repair_note() const { return repair_note_; }
 
  private:

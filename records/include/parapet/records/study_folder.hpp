@@ -43,11 +43,14 @@ class StudyFolder {
   StudyFolder(std::filesystem::path folder, const designs::StudySpec& study,
               const ProgramInfo& program, std::chrono::milliseconds patience = {});
 
+  /// The log of the study.
   const EvaluationLog& log() const { return log_; }
 
   /// Notes in study.json what the search is begun with, unless it was begun before.
   /// @throws FileError
   void begin(const BegunWith& with);
+
+  /// What the search was begun with.
   const BegunWith& begun_with() const { return begun_with_; }
 
   /// Writes evaluations/ID.json, then the log's line; both are on disk when it returns.
@@ -78,6 +81,7 @@ class StudyFolder {
   /// @throws FileError
   void write(const std::string& file_name, const designs::Json& content) const;
 
+  /// The folder.
   const std::filesystem::path& path() const { return folder_; }
 
   /// Sentences worth telling the user: a repaired log, another program version.

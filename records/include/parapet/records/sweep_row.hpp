@@ -29,6 +29,7 @@ struct SweepRowResult {
   std::optional<double> metric(const std::string& key) const;
 };
 
+/// What a row came to, from its simulation.
 SweepRowResult make_sweep_row_result(const designs::SweepRow& row, const solver::Result& result);
 
 }  // namespace parapet::records

@@ -35,6 +35,7 @@ struct ObjectiveTerms {
   std::string statistic;  ///< over the scenarios, in words; empty where there is one event
 };
 
+/// What an objective came to at a design.
 struct ObjectiveResult {
   ObjectiveTerms terms;
   double weight = 1.0;
@@ -42,12 +43,14 @@ struct ObjectiveResult {
   bool absent = false;          ///< the metric has no value: `value` stands in for it
 };
 
+/// What an objective came to, and what the surrogate says of it.
 struct ObjectiveEstimate {
   ObjectiveTerms terms;
   std::optional<double> value;  ///< as simulated
   study::Estimate estimate;     ///< by the surrogate; empty for a formula, which is known exactly
 };
 
+/// How a constraint stands at a design.
 struct ConstraintResult {
   std::string name;
   std::string metric;           ///< the metric's key; empty for a formula
@@ -61,6 +64,7 @@ struct ConstraintResult {
   bool active = false;                   ///< holds by less than 2 % of the limit
 };
 
+/// Which end of its range a variable is at.
 enum class Bound { none, lower, upper };
 
 /// A variable with the range that the spec allows it.
@@ -72,6 +76,7 @@ struct VariableResult {
   Bound at_bound = Bound::none;      ///< within 1 % of the range
 };
 
+/// One design with all that is known of it.
 struct DesignReport {
   std::string id;
   std::string stage;  ///< as in records::EvaluationRecord

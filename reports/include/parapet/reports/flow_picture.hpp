@@ -17,6 +17,7 @@ struct FlowSnapshot {
   std::vector<double> speed;  ///< [n_fluid] [m/s]
 };
 
+/// Copies what a picture needs out of a frame.
 FlowSnapshot take_snapshot(const solver::Frame& frame);
 
 /// How the scene is turned.
@@ -25,6 +26,7 @@ enum class PictureAxes {
   channel  ///< x along the bed, z normal to it
 };
 
+/// How the picture looks.
 struct FlowPictureOptions {
   int width_px = 1600;           ///< of the whole figure; the height follows from the aspect
   int columns = 0;               ///< of panels; 0 chooses

@@ -9,6 +9,7 @@
 
 namespace parapet::reports {
 
+/// How a curve is drawn.
 enum class SeriesStyle { line, dashed, markers, line_and_markers };
 
 /// One curve; points where y is not finite interrupt it.
@@ -26,6 +27,7 @@ struct PlotBand {
   std::optional<int> color;
 };
 
+/// Curves and bands over one pair of axes.
 struct LinePlot {
   std::string title;
   std::string x_label, y_label;  ///< with the unit, for example "time [s]"

@@ -6,6 +6,7 @@
 
 namespace parapet::reports {
 
+/// Round numbers along an axis.
 struct Ticks {
   double step = 1.0;
   std::vector<double> values;       ///< multiples of the step within the range

@@ -13,6 +13,7 @@
 
 namespace parapet::reports {
 
+/// How many designs were simulated at a spacing.
 struct SpacingCount {
   double spacing = 0.0;  ///< particle spacing [m]
   int designs = 0;       ///< that were simulated at it
@@ -41,6 +42,7 @@ struct RuleFacts {
   bool allows_none = false;   ///< designs meet the constraints, and none of them its limits
 };
 
+/// The design that the rule picks.
 struct RecommendedDesign {
   DesignReport design;
   std::vector<ObjectiveEstimate> estimates;
@@ -74,6 +76,7 @@ struct RefutedDesign {
   std::vector<std::string> violated;  ///< names of constraints; empty: a simulation failed
 };
 
+/// What simulating the recommended design again has shown.
 struct Confirmation {
   study::Verdict verdict = study::Verdict::none;
   std::vector<ConfirmingRun> runs;  ///< by id
@@ -81,6 +84,7 @@ struct Confirmation {
   std::vector<RefutedDesign> refuted;  ///< in the rule's order
 };
 
+/// The design that comes nearest to meeting every constraint.
 struct LeastViolatingDesign {
   DesignReport design;
   double violation = 0.0;  ///< see study::violation
@@ -109,12 +113,14 @@ struct WayOut {
   FrontStep best;  ///< to the best one
 };
 
+/// How the hypervolume of the front grew.
 struct Progress {
   std::optional<double> hypervolume;
   std::vector<std::optional<double>> reference;  ///< [n_objectives]
   std::vector<study::FrontEntry> history;
 };
 
+/// What one objective gained over the starting design.
 struct ObjectiveChange {
   std::string name;
   std::string of;  ///< the metric or the formula
@@ -133,6 +139,7 @@ struct Improvement {
   std::vector<ObjectiveChange> objectives;
 };
 
+/// A design that comes next to the recommended one.
 struct Alternative {
   DesignReport design;
   /// One objective: the data cannot rank it against the recommended design.
@@ -159,6 +166,7 @@ struct MetricResponse {
   std::vector<VariableResponse> variables;
 };
 
+/// A design whose simulation failed.
 struct FailedDesign {
   std::string id;
   WrittenDesign design;
@@ -173,6 +181,7 @@ struct Reproduction {
   designs::Json provenance;  ///< as study.json states it
 };
 
+/// Everything that a recommendation says, as numbers and texts.
 struct Recommendation {
   StudyFacts study;
   RuleFacts rule;

@@ -29,7 +29,10 @@ class FrameWriter {
   /// @throws FileError naming the file that cannot be written.
   void add(const solver::Frame& frame);
 
+  /// Number of frames written.
   std::size_t count() const { return times_.size(); }
+
+  /// The file to open in ParaView.
   const std::filesystem::path& collection() const { return collection_; }
 
  private:

@@ -19,6 +19,7 @@ struct MetricInfo {
   std::vector<std::string> absent_when;  ///< the reasons for which a run may end without it
   std::string definition;                ///< one sentence
 
+  /// Whether a run may end without it.
   bool may_be_absent() const { return !absent_when.empty(); }
 };
 

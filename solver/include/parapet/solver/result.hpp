@@ -27,7 +27,10 @@ enum class StopReason {
   cancelled
 };
 
+/// The name as results spell it: "ok", "failed", "cancelled".
 std::string_view to_string(Status status);
+
+/// The same for the reason: "settled", "end_time", ...
 std::string_view to_string(StopReason reason);
 
 /// How far a metric can be trusted as a solution of the equations (not: of nature); in its unit.
@@ -81,6 +84,7 @@ struct RunStatistics {
   double wall_time = 0.0;  ///< [s]; alone in that it may differ between repeats (and the profile)
 };
 
+/// The answer of one simulation.
 struct Result {
   Status status = Status::ok;
   StopReason stop_reason = StopReason::end_time;

@@ -30,8 +30,9 @@ DiscretisationError discretisation_error(std::span<const double> spacings,
 /// Which runs are made: at each ratio of the particle spacing the given number, the first of them
 /// on the regular lattice, the others with every particle moved at random.
 struct UncertaintyPlan {
+  /// The runs at one particle spacing.
   struct Level {
-    double spacing_ratio;
+    double spacing_ratio;  ///< over the spacing of the result itself
     int runs;
   };
   /// Together 2.7 times the cost of the result itself.

@@ -5,6 +5,7 @@
 
 namespace parapet::solver {
 
+/// A point or a direction.
 struct Vec2 {
   double x = 0.0;
   double z = 0.0;
@@ -16,6 +17,7 @@ struct Vec2 {
   friend constexpr bool operator==(Vec2 a, Vec2 b) = default;
 };
 
+/// The scalar product.
 constexpr double dot(Vec2 a, Vec2 b) {
   return a.x * b.x + a.z * b.z;
 }
@@ -25,6 +27,7 @@ constexpr double cross(Vec2 a, Vec2 b) {
   return a.x * b.z - a.z * b.x;
 }
 
+/// The length.
 inline double norm(Vec2 a) {
   return std::sqrt(dot(a, a));
 }

@@ -42,8 +42,10 @@ SearchProblem make_search_problem(const designs::StudySpec& study);
 /// The spec's method in the search's terms: start_count is the number of initial designs.
 bayesian::SearchOptions make_search_options(const designs::StudySpec& study);
 
-/// Point of a design, inactive variables NaN, and back.
+/// Point of a design, inactive variables NaN.
 bayesian::Point to_point(const designs::StudySpec& study, const designs::Design& design);
+
+/// The design of a point; inactive variables are left out.
 designs::Design to_design(const designs::StudySpec& study, const bayesian::Space& space,
                           const bayesian::Point& point);
 

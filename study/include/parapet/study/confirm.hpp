@@ -19,6 +19,7 @@ namespace parapet::study {
 /// By how much a near design differs in each continuous variable, as a share of its range.
 constexpr double near_share = 0.005;
 
+/// What is simulated again, and how.
 struct ConfirmOptions {
   std::filesystem::path folder;   ///< of the study
   std::optional<double> spacing;  ///< a further particle spacing, usually a finer one [m]
@@ -30,6 +31,7 @@ struct ConfirmOptions {
   ServiceFactory service = local_service();  ///< who simulates
 };
 
+/// What became of it.
 struct ConfirmOutcome {
   bool cancelled = false;
   std::string refusal;  ///< why nothing was confirmed: the study is being written to

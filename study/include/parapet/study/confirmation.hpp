@@ -23,6 +23,7 @@ struct ConfirmationRun {
   bool feasible = false;  ///< ended well and met every constraint
 };
 
+/// What the further simulations say of a design.
 enum class Verdict {
   none,       ///< nothing was simulated again
   confirmed,  ///< the design held wherever it was simulated again, and most near designs did

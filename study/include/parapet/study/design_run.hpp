@@ -18,7 +18,10 @@ class DesignRun {
   /// The study must outlive the run.
   DesignRun(const designs::StudySpec& study, designs::Design design, double spacing);
 
+  /// The design, as given.
   const designs::Design& design() const { return design_; }
+
+  /// Particle spacing [m].
   double spacing() const { return spacing_; }
 
   /// Number of events: the scenarios, or the base event.
@@ -32,7 +35,10 @@ class DesignRun {
   /// @throws designs::InputError when the scene is impossible
   SimulationTask task(std::size_t event, std::string label, int threads) const;
 
+  /// Stores the simulation of an event.
   void set(std::size_t event, records::Simulation simulation);
+
+  /// The simulation of an event; empty until it is set.
   const std::optional<records::Simulation>& simulation(std::size_t event) const {
     return simulations_[event];
   }

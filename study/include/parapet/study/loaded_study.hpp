@@ -14,6 +14,7 @@
 
 namespace parapet::study {
 
+/// A study folder, read as types.
 struct LoadedStudy {
   std::filesystem::path folder;
   designs::StudySpec spec;

@@ -25,11 +25,13 @@ struct Candidate {
   std::optional<double> probability_limits = {};  ///< rule limits: that it meets them
   bool within_limits = true;                      ///< rule limits: as observed
 
+  /// That every constraint is met, by the surrogate; empty without one.
   std::optional<double> probability_feasible() const;
   /// Known to be less likely than not to meet every constraint.
   bool doubtful() const;
 };
 
+/// The designs as a rule ranks them.
 struct Choice {
   RuleKind kind = RuleKind::best;      ///< never automatic
   std::vector<Candidate> ranked = {};  ///< what the rule allows, best first

@@ -11,6 +11,7 @@
 
 namespace parapet::study {
 
+/// How one design is picked from those that were found.
 enum class RuleKind {
   automatic,  ///< best for one objective, knee for several
   best,       ///< lowest objective_scalar: the spec's weighted sum where there are several
@@ -28,6 +29,7 @@ struct ObjectiveLimit {
   std::optional<double> lower, upper;
 };
 
+/// A rule with its weights or limits.
 struct PickRule {
   RuleKind kind = RuleKind::automatic;
   std::map<std::string, double> weights = {};  ///< by objective; 0 for those left out

@@ -37,6 +37,7 @@ struct Quantity {
   std::optional<double> value_when_absent;
   bool absent_is_good = false;
 
+  /// Equal in every member.
   bool operator==(const Quantity&) const = default;
 };
 
@@ -47,6 +48,7 @@ struct QuantityValue {
   std::string reason;           ///< why, of the first such event
 };
 
+/// The value of a quantity over the events of a design.
 QuantityValue quantity_value(const Quantity& quantity, const std::vector<Event>& events);
 
 /// What an objective on a metric is about. With one event every statistic but the probability is

@@ -15,6 +15,7 @@ namespace parapet::study {
 /// A scaled violation up to this counts as satisfied; optimizer::Options has the same default.
 constexpr double feasibility_tolerance = 1e-9;
 
+/// What a design is worth.
 struct Score {
   std::vector<records::ObjectiveRecord> objectives;
   std::optional<double> objective_scalar;  ///< minimised; empty when an objective has no value
@@ -60,8 +61,10 @@ std::vector<records::ConstraintRecord> score_expressions(const designs::StudySpe
 std::vector<double> expression_violations(const designs::StudySpec& study,
                                           const designs::Design& design);
 
-/// Number of limits on metrics, and on expressions.
+/// Number of limits on metrics.
 int metric_limit_count(const designs::StudySpec& study);
+
+/// Number of limits on expressions.
 int expression_limit_count(const designs::StudySpec& study);
 
 }  // namespace parapet::study

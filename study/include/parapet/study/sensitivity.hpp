@@ -10,6 +10,7 @@
 
 namespace parapet::study {
 
+/// How much is spent on the sensitivities.
 struct SensitivityOptions {
   int realisations = 24;   ///< posterior draws: the intervals hold what the surrogate does not know
   int anchors = 160;       ///< places of the box where a draw is fixed; between them it is smooth

@@ -28,6 +28,7 @@ struct MainEffect {
   std::vector<double> upper_95;   ///< [n]
 };
 
+/// What one variable does to a metric.
 struct VariableSensitivity {
   std::string name;
   SobolIndex first;  ///< what the variable explains alone
@@ -35,6 +36,7 @@ struct VariableSensitivity {
   MainEffect main_effect;
 };
 
+/// What the variables do to one metric.
 struct MetricSensitivity {
   std::string name;    ///< of the modelled quantity, for example "launch_length_m (highest value)"
   std::string metric;  ///< its metric
@@ -45,6 +47,7 @@ struct MetricSensitivity {
   std::vector<VariableSensitivity> variables;
 };
 
+/// The content of sensitivity.json as types.
 struct Sensitivity {
   std::string study_name, spec_hash;
   std::string source;  ///< of the surrogates: surrogates.json or evaluations.jsonl

@@ -27,6 +27,7 @@ struct DesignEstimates {
   std::optional<double> probability_feasible;  ///< that it meets every constraint
 };
 
+/// The content of pareto.json as types.
 struct StoredFront {
   std::vector<DesignEstimates> designs;
   std::vector<std::optional<double>> reference;  ///< [n_objectives] in the objectives' units

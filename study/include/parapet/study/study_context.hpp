@@ -22,16 +22,22 @@ struct StudyContext {
   SimulationService& service;
   const Hooks& hooks;
 
+  /// Whether the user wants to stop.
   bool cancelled() const { return hooks.cancelled && hooks.cancelled(); }
 };
 
 /// A design on its way into the log.
 class DesignJob {
  public:
+  /// A design that is to be simulated at a particle spacing [m]; `stage` as in
+  /// records::EvaluationRecord.
   DesignJob(const StudyContext& context, std::string id, std::string stage, designs::Design design,
             double spacing);
 
+  /// Number of events.
   std::size_t size() const { return run_.size(); }
+
+  /// The id that the log will give it.
   const std::string& id() const { return id_; }
 
   /// The task of one event. Empty when nothing is to be simulated: an earlier run left the event's

@@ -14,6 +14,7 @@
 
 namespace parapet::study {
 
+/// Where a study runs, and who simulates.
 struct StudyRunOptions {
   std::filesystem::path folder;
   int jobs = 1;  ///< simulations side by side
@@ -22,7 +23,10 @@ struct StudyRunOptions {
   ServiceFactory service = local_service();  ///< who simulates
 };
 
+/// How far a study is.
 enum class StudyState { running, done, interrupted, failed };
+
+/// The name as summary.json spells it.
 std::string to_string(StudyState state);
 
 /// The content of summary.json.
@@ -55,6 +59,7 @@ struct StudySummary {
 ///         folder or a damaged log; records::FileError when the file system refuses.
 StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& options);
 
+/// As summary.json holds it, format "parapet-study-summary/1".
 designs::Json to_json(const StudySummary& summary, const designs::StudySpec& study);
 
 }  // namespace parapet::study

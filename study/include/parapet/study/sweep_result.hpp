@@ -12,6 +12,7 @@ namespace parapet::study {
 
 /// How a computed value stands to a published one.
 struct Agreement {
+  /// Whether a computed value agrees with the published one.
   enum class Verdict { none, agrees, misses };
   Verdict verdict = Verdict::none;  ///< none: nothing published, or a bare value without a range
   std::optional<double> published;  ///< the published value, if a single one is stated

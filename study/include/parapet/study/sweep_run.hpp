@@ -12,6 +12,7 @@
 
 namespace parapet::study {
 
+/// Where a sweep runs, and which rows.
 struct SweepRunOptions {
   std::filesystem::path folder;
   int jobs = 1;
@@ -22,6 +23,7 @@ struct SweepRunOptions {
   std::function<void(const records::SweepRowResult& row, bool kept)> on_row;
 };
 
+/// What a sweep came to.
 struct SweepOutcome {
   std::vector<records::SweepRowResult> rows;  ///< of those asked for, the finished ones, in order
   bool interrupted = false;

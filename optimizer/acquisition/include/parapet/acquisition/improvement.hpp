@@ -14,10 +14,13 @@ namespace parapet::acquisition {
 /// expected improvement, NeurIPS 2023). sigma = 0 gives log(max(0, x)).
 double log_expected_excess(double x, double sigma);
 
-/// log(exp(a) - exp(b)) for a >= b (-infinity also where rounding turned their order), log(exp(a) +
-/// exp(b)), and log of the mean of exp(v), -infinity for none.
+/// log(exp(a) - exp(b)) for a >= b; -infinity also where rounding turned their order.
 double log_difference(double a, double b);
+
+/// log(exp(a) + exp(b)).
 double log_sum(double a, double b);
+
+/// log of the mean of exp(v); -infinity for an empty v.
 double log_mean(const Eigen::VectorXd& v);
 
 /// log of the expected hypervolume improvement of y_j ~ N(mean_j, sd_j^2), independent, over the
@@ -54,6 +57,7 @@ class NoisyFront {
                          const Eigen::VectorXd& log_feasible) const;
 
   bool any_feasible() const { return any_feasible_; }  ///< in at least one draw
+  /// Number of posterior draws.
   int n_samples() const { return static_cast<int>(fronts_.size()); }
 
  private:

@@ -23,6 +23,7 @@ struct Metric {
   double greatest = std::numeric_limits<double>::infinity();
 };
 
+/// A metric that is to be as small, or as large, as possible.
 struct Objective {
   std::size_t metric = 0;
   bool maximize = false;
@@ -43,6 +44,7 @@ struct Level {
   double seconds = 1.0;  ///< guess of an evaluation's cost; replaced by what is measured
 };
 
+/// The question: a space of designs, what an evaluation answers, and what is wanted of it.
 struct Problem {
   Space space{{}};
   std::vector<Metric> metrics;

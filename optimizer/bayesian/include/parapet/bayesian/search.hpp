@@ -12,6 +12,7 @@
 
 namespace parapet::bayesian {
 
+/// How long to search, and how.
 struct SearchOptions {
   int max_evaluations = 60;  ///< at any level, those told from the start included
   /// The budget that the initial designs (at most a third) and the confirmations (a sixth) are laid
@@ -41,15 +42,18 @@ struct Suggestion {
   double log_gain = 0.0;   ///< log of the expected gain (stage search)
 };
 
+/// Why a search asks for nothing more.
 enum class StopReason {
-  none,
-  budget,
-  seconds,
-  stagnation,
-  small_gain,
-  exhausted,
-  no_allowed_design
+  none,              ///< it is not over
+  budget,            ///< max_evaluations
+  seconds,           ///< max_seconds
+  stagnation,        ///< stagnation_evaluations without a gain
+  small_gain,        ///< the expected gain fell below least_gain
+  exhausted,         ///< no design is left that differs from those known
+  no_allowed_design  ///< the cheap constraints refuse all
 };
+
+/// The name as it is spelt here: "small_gain".
 std::string to_string(StopReason reason);
 
 /// A design with what is known of it.
@@ -82,25 +86,27 @@ struct HistoryEntry {
 /// teaches the success model and nothing else.
 class Search {
  public:
+  /// Asks nothing yet.
   /// @throws std::invalid_argument saying what is wrong with the problem or the options.
   Search(Problem problem, SearchOptions options);
   ~Search();
-  Search(Search&&) noexcept;
-  Search& operator=(Search&&) noexcept;
+  Search(Search&&) noexcept;             ///< may be moved, not copied
+  Search& operator=(Search&&) noexcept;  ///< likewise
 
   /// The next evaluation, or nothing: the search is over (stop_reason says why), or (stop_reason
   /// none) nothing sensible can be suggested before a pending evaluation is told.
   std::optional<Suggestion> ask();
 
+  /// The answer to a question of ask().
   /// @throws std::invalid_argument for an id that is not pending or values of a wrong number.
   void tell(int id, const Observation& observation);
 
   /// An evaluation made elsewhere (a log): counts like one that was asked. Returns its id.
   int tell_external(const Point& x, int level, const Observation& observation);
 
-  StopReason stop_reason() const;
-  int evaluations() const;  ///< told so far
-  double seconds() const;   ///< sum of their costs
+  StopReason stop_reason() const;  ///< none while it goes on
+  int evaluations() const;         ///< told so far
+  double seconds() const;          ///< sum of their costs
 
   /// Everything told, in order, with the surrogates' view of it.
   std::vector<Assessed> assessed() const;
@@ -110,14 +116,16 @@ class Search {
 
   /// The reference point in the objectives' units [n_objectives]; empty before it can be chosen.
   std::vector<double> reference() const;
+
+  /// How the hypervolume grew, one entry for each evaluation told.
   const std::vector<HistoryEntry>& history() const;
 
   /// Surrogate of a metric; null for an exact metric and before there are data.
   const surrogate::GaussianProcess* surrogate(std::size_t metric) const;
   const surrogate::SuccessModel* success_model() const;  ///< null before there are data
 
-  const Problem& problem() const;
-  double own_seconds() const;  ///< time spent in here
+  const Problem& problem() const;  ///< as given
+  double own_seconds() const;      ///< time spent in here
 
  private:
   struct State;

@@ -11,6 +11,7 @@
 
 namespace parapet::bayesian {
 
+/// What values a variable may take: any between its bounds, whole numbers, or options.
 enum class VariableKind { continuous, integer, choice };
 
 /// A variable exists (is active) only when another one, a choice, has one of these options.
@@ -19,6 +20,7 @@ struct Condition {
   std::vector<int> options = {};  ///< option numbers
 };
 
+/// One coordinate of a design.
 struct Variable {
   std::string name;
   VariableKind kind = VariableKind::continuous;
@@ -33,18 +35,23 @@ using Point = std::vector<double>;
 /// Whether two canonical points are the same design, to the bit.
 bool same_design(const Point& a, const Point& b);
 
+/// Designs of fixed variables, and how they map to the unit cube and to the inputs of a surrogate.
 class Space {
  public:
   /// @throws std::invalid_argument for bounds out of order or a condition on a later variable or on
   /// one that is not a choice.
   explicit Space(std::vector<Variable> variables);
 
+  /// Number of variables n.
   std::size_t size() const { return variables_.size(); }
+  /// [n], as given.
   const std::vector<Variable>& variables() const { return variables_; }
 
   /// Canonical form: integers and options rounded, all clipped to the bounds, inactive ones NaN.
   /// A variable whose condition hangs on an inactive choice is inactive too.
   Point canonical(const Point& x) const;
+
+  /// Whether the variable exists under the options that x takes.
   bool active(const Point& x, std::size_t variable) const;
 
   /// From the unit cube [n] (every variable has a coordinate, used or not) to a canonical point;
@@ -61,6 +68,8 @@ class Space {
   /// one input; what its existence changes is carried by the choice's columns. One length scale per
   /// variable.
   surrogate::Layout layout(int n_levels = 1) const;
+
+  /// The columns of one design [n_features], as layout() describes them.
   Eigen::RowVectorXd features(const Point& x) const;
   Eigen::MatrixXd features(const std::vector<Point>& xs) const;  ///< [m, n_features]
 

@@ -15,9 +15,10 @@ namespace parapet::surrogate {
 struct Layout {
   std::vector<int> group;  ///< [n_features] length scale of each column, 0 .. n_groups - 1
   int n_levels = 1;        ///< level 0 is the finest, n_levels - 1 the coarsest
-  int n_groups() const;
+  int n_groups() const;    ///< number of length scales
 };
 
+/// What is known: observations of one output.
 struct Data {
   Eigen::MatrixXd inputs;   ///< [n, n_features], each column within about [0, 1]
   Eigen::VectorXd values;   ///< [n], finite
@@ -33,11 +34,13 @@ struct LevelParameters {
   double coupling = 0.0;  ///< rho: factor of the next coarser level's process; 0 at the coarsest
 };
 
+/// Everything that the likelihood decides.
 struct Parameters {
   OutputTransform transform;
   std::vector<LevelParameters> levels;  ///< [n_levels]
 };
 
+/// How the parameters are found.
 struct FitOptions {
   TransformKind transform = TransformKind::automatic;
   int starts = 4;  ///< starting points of the likelihood's maximisation
@@ -80,8 +83,10 @@ class GaussianProcess {
   /// @throws std::invalid_argument for shapes that do not fit or values that are not finite.
   static GaussianProcess fit(const Layout& layout, const Data& data, const FitOptions& options);
 
-  /// inputs [m, n_features].
+  /// Each value for itself; inputs [m, n_features].
   Prediction predict(const Eigen::MatrixXd& inputs, int level = 0) const;
+
+  /// The values together, with their covariances; inputs [m, n_features].
   JointPrediction joint(const Eigen::MatrixXd& inputs, int level = 0) const;
 
   /// Posterior covariance [m, k] between f_level(a) and f_other(b); a [m, n_features].
@@ -96,16 +101,19 @@ class GaussianProcess {
     return parameters_.levels[static_cast<std::size_t>(level)].noise;
   }
 
-  /// Monotonically increasing, between the output's unit and model units.
+  /// From the output's unit to model units; increasing.
   double to_model(double value) const { return parameters_.transform.to_model(value); }
+
+  /// The inverse of to_model.
   double from_model(double z) const { return parameters_.transform.from_model(z); }
 
+  /// Every observation predicted from the others, without a new fit.
   LeaveOneOut leave_one_out() const;
   double log_likelihood() const { return log_likelihood_; }  ///< model units, without priors
 
-  const Layout& layout() const { return layout_; }
-  const Data& data() const { return data_; }
-  const Parameters& parameters() const { return parameters_; }
+  const Layout& layout() const { return layout_; }              ///< as given
+  const Data& data() const { return data_; }                    ///< as given, levels filled in
+  const Parameters& parameters() const { return parameters_; }  ///< as found
 
  private:
   friend class PosteriorSamples;

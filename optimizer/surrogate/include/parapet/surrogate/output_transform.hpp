@@ -5,6 +5,7 @@
 
 namespace parapet::surrogate {
 
+/// Which function t is applied to an output.
 enum class TransformKind {
   automatic,  ///< chosen by the likelihood, Jacobian included
   identity,
@@ -19,8 +20,8 @@ struct OutputTransform {
   double shift = 0.0;
   double scale = 1.0;
 
-  double to_model(double value) const;
-  double from_model(double z) const;
+  double to_model(double value) const;   ///< z of y
+  double from_model(double z) const;     ///< y of z
   double log_slope(double value) const;  ///< log dz/dy
 
   /// The transform of this kind that gives `values` [n] mean 0 and s.d. 1 (scale 1 where they are

@@ -12,15 +12,18 @@ namespace parapet::surrogate {
 /// n_realisations] out. One column for a known function; several posterior draws for a surrogate.
 using Realisations = std::function<Eigen::MatrixXd(const Eigen::MatrixXd& u)>;
 
+/// A number with what is known of its error.
 struct Interval {
   double value = 0.0, lower = 0.0, upper = 0.0;  ///< estimate and its 95 % interval
 };
 
+/// What one variable explains of the output's variance, as shares of 1.
 struct SobolIndices {
   Interval first;  ///< share of the variance that the variable explains alone
   Interval total;  ///< with all its interactions
 };
 
+/// How much is spent on an estimate.
 struct SensitivityOptions {
   int base_points = 1024;  ///< N; the model is asked at N (n_variables + 2) points
   int bootstrap = 200;
@@ -39,6 +42,10 @@ struct MainEffect {
   std::vector<double> u;         ///< [n_grid] places in [0, 1]
   std::vector<Interval> effect;  ///< [n_grid], in the output's unit; spread over the realisations
 };
+
+/// The main effect of every variable [n_variables], for inputs that are independent and uniform.
+/// @param n_grid places per variable
+/// @param n_points over which the others are averaged
 std::vector<MainEffect> main_effects(const Realisations& model, int n_variables, int n_grid = 17,
                                      int n_points = 512, std::uint64_t seed = 1);
 

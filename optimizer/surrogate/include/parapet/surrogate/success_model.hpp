@@ -26,6 +26,7 @@ class SuccessModel {
   /// again (17 of 34 evaluations of a test problem instead of 6).
   Eigen::VectorXd log_probability(const Eigen::MatrixXd& inputs) const;
 
+  /// Whether an evaluation failed; without one the probability is 1 everywhere.
   bool any_failure() const { return any_failure_; }
 
  private:
