@@ -11,6 +11,7 @@
 #include "interrupt.hpp"
 #include "parapet/designs/error.hpp"
 #include "parapet/records/atomic_file.hpp"
+#include "program_info.hpp"
 #include "session.hpp"
 
 namespace parapet::cli {
@@ -110,7 +111,7 @@ int run_guarded(Session& session, int argc, char** argv, std::initializer_list<A
 int run_program(int argc, char** argv, std::initializer_list<AddVerb> verbs) {
   try {
     Session session;
-    session.program = {.version = PARAPET_VERSION, .git_revision = PARAPET_GIT_REVISION};
+    session.program = program_info();
     session.log = make_logger();
     session.arguments.assign(argv, argv + argc);
     return run_guarded(session, argc, argv, verbs);

@@ -4,14 +4,9 @@
 #include <string>
 
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/records/program_info.hpp"
 
 namespace parapet::records {
-
-/// The program that computes; known when it was configured.
-struct ProgramInfo {
-  std::string version;
-  std::string git_revision;  ///< empty when not built from a git checkout
-};
 
 /// Name and version of the compiler this library was built with.
 std::string compiler_name();

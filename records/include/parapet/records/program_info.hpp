@@ -1,0 +1,14 @@
+/// Which program computed a result.
+#pragma once
+
+#include <string>
+
+namespace parapet::records {
+
+/// The program that computes; known when it was configured.
+struct ProgramInfo {
+  std::string version;
+  std::string git_revision;  ///< empty when not built from a git checkout
+};
+
+}  // namespace parapet::records
