@@ -103,6 +103,7 @@ Json to_json(const ScenarioRecord& scenario) {
   json["wall_time_s"] = scenario.wall_time;
   json["cpu_time_s"] = scenario.cpu_time;
   json["particle_steps"] = scenario.particle_steps;
+  if (!scenario.stop_reason.empty()) json["stop_reason"] = scenario.stop_reason;
   return json;
 }
 
@@ -116,6 +117,7 @@ ScenarioRecord scenario_from_json(const Json& json) {
   scenario.wall_time = json.at("wall_time_s").get<double>();
   scenario.cpu_time = json.value("cpu_time_s", 0.0);
   scenario.particle_steps = json.value("particle_steps", 0.0);
+  scenario.stop_reason = json.value("stop_reason", "");
   return scenario;
 }
 
@@ -141,6 +143,7 @@ Json to_json(const EvaluationRecord& record) {
   json["wall_time_s"] = record.wall_time;
   if (record.cpu_time > 0.0) json["cpu_time_s"] = record.cpu_time;
   if (record.particle_steps > 0.0) json["particle_steps"] = record.particle_steps;
+  if (!record.stop_reason.empty()) json["stop_reason"] = record.stop_reason;
   if (record.scenarios.empty()) return json;
   json["scenarios"] = Json::array();
   for (const auto& scenario : record.scenarios) json["scenarios"].push_back(to_json(scenario));
@@ -170,6 +173,7 @@ EvaluationRecord record_from_json(const Json& json) {
   record.wall_time = json.at("wall_time_s").get<double>();
   record.cpu_time = json.value("cpu_time_s", 0.0);
   record.particle_steps = json.value("particle_steps", 0.0);
+  record.stop_reason = json.value("stop_reason", "");
   if (!json.contains("scenarios")) return record;
   for (const Json& item : json["scenarios"]) record.scenarios.push_back(scenario_from_json(item));
   return record;

@@ -18,6 +18,7 @@ ScenarioRecord scenario_record(const designs::Scenario* scenario, const Simulati
   record.wall_time = simulation.wall_time;
   record.cpu_time = simulation.cpu_time;
   record.particle_steps = simulation.particle_steps;
+  record.stop_reason = simulation.stop_reason;
   return record;
 }
 
@@ -57,6 +58,7 @@ StoredSimulation stored_simulation(const Json& json) {
   stored.simulation.wall_time = record.wall_time;
   stored.simulation.cpu_time = record.cpu_time;
   stored.simulation.particle_steps = record.particle_steps;
+  stored.simulation.stop_reason = record.stop_reason;
   if (json.contains("details")) stored.simulation.report = json["details"];
   return stored;
 }

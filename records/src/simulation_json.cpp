@@ -95,6 +95,7 @@ Json to_json(const Simulation& simulation) {
   json["ok"] = simulation.ok;
   json["cancelled"] = simulation.cancelled;
   json["reason"] = simulation.reason;
+  json["stop_reason"] = simulation.stop_reason;
   json["metrics"] = Json::array();
   for (const solver::Metric& metric : simulation.metrics) {
     json["metrics"].push_back(metric_json(metric));
@@ -112,6 +113,7 @@ Simulation simulation_from_json(const Json& json) {
   simulation.ok = json.at("ok").get<bool>();
   simulation.cancelled = json.at("cancelled").get<bool>();
   simulation.reason = json.at("reason").get<std::string>();
+  simulation.stop_reason = json.at("stop_reason").get<std::string>();
   for (const Json& item : json.at("metrics")) simulation.metrics.push_back(metric_from_json(item));
   simulation.wall_time = number_from_json(json.at("wall_time_s"));
   simulation.cpu_time = number_from_json(json.at("cpu_time_s"));

@@ -64,14 +64,15 @@ TEST(EvaluationLogFile, KeepsEveryBitOfEveryNumber) {
 TEST(EvaluationLogFile, KeepsScenariosOptionsAndCosts) {
   EvaluationRecord record = sample(1);
   const std::string plain = records::to_json(record).dump();
-  for (const char* key : {"scenarios", "options", "cpu_time_s", "particle_steps"}) {
+  for (const char* key : {"scenarios", "options", "cpu_time_s", "particle_steps", "stop_reason"}) {
     EXPECT_EQ(plain.find(key), std::string::npos) << key << " is written only when present";
   }
   record.options = {{"deflector", "plate"}};
   record.cpu_time = 1.0 / 3.0;
   record.particle_steps = 1e7;
-  record.scenarios = {{"soft", 0.25, true, "", record.metrics, 0.5, 0.1, 4e6},
-                      {"stiff", 0.75, false, "it broke", {}, 0.0, 0.0, 0.0}};
+  record.stop_reason = "settled";
+  record.scenarios = {{"soft", 0.25, true, "", record.metrics, 0.5, 0.1, 4e6, "end_time"},
+                      {"stiff", 0.75, false, "it broke", {}, 0.0, 0.0, 0.0, ""}};
   const auto json = records::to_json(record);
   const EvaluationRecord again = records::record_from_json(designs::Json::parse(json.dump()));
   EXPECT_EQ(records::to_json(again).dump(), json.dump());
@@ -79,6 +80,8 @@ TEST(EvaluationLogFile, KeepsScenariosOptionsAndCosts) {
   EXPECT_EQ(again.scenarios[0].metrics[1].absent_reason, "no \"overflow\"\n");
   EXPECT_EQ(again.scenarios[1].reason, "it broke");
   EXPECT_EQ(again.options.at("deflector"), "plate");
+  EXPECT_EQ(again.stop_reason, "settled");
+  EXPECT_EQ(again.scenarios[0].stop_reason, "end_time");
 }
 
 // A crash may leave any number of bytes of the last line.

@@ -92,9 +92,23 @@ std::optional<StoredFront> read_front(const LoadedStudy& study) {
   return front && std::ranges::all_of(front->designs, fits) ? front : std::nullopt;
 }
 
-/// The base event's simulation stands in evaluations/ID.json, a scenario's in
-/// evaluations/ID-SCENARIO.json.
-std::set<std::string> unsettled_designs(const std::filesystem::path& folder) {
+/// Whether a line says why its simulations ended; lines of earlier versions do not.
+bool says_why_it_ended(const EvaluationRecord& record) {
+  return !record.stop_reason.empty() ||
+         std::ranges::any_of(record.scenarios,
+                             [](const auto& scenario) { return !scenario.stop_reason.empty(); });
+}
+
+bool ended_at_stop_time(const EvaluationRecord& record) {
+  return record.stop_reason == "end_time" ||
+         std::ranges::any_of(record.scenarios, [](const auto& scenario) {
+           return scenario.stop_reason == "end_time";
+         });
+}
+
+/// From the reports of single simulations, for logs whose lines do not say it: the base event's
+/// stands in evaluations/ID.json, a scenario's in evaluations/ID-SCENARIO.json.
+std::set<std::string> unsettled_in_reports(const std::filesystem::path& folder) {
   std::set<std::string> ids;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
@@ -107,6 +121,17 @@ std::set<std::string> unsettled_designs(const std::filesystem::path& folder) {
         ids.insert(name.substr(0, name.find('-')));
       }
     }
+  }
+  return ids;
+}
+
+std::set<std::string> unsettled_designs(const LoadedStudy& study) {
+  std::set<std::string> ids;
+  if (!std::ranges::all_of(study.designs, says_why_it_ended)) {
+    ids = unsettled_in_reports(study.folder / "evaluations");
+  }
+  for (const EvaluationRecord& record : study.designs) {
+    if (ended_at_stop_time(record)) ids.insert(record.id);
   }
   return ids;
 }
@@ -133,7 +158,7 @@ LoadedStudy load_study_folder(const std::filesystem::path& folder) {
   study.confirmations = load_confirmations(folder);
   study.front = read_front(study);
   study.sensitivity = read_sensitivity(folder / "sensitivity.json", study.spec_hash);
-  study.unsettled = unsettled_designs(folder / "evaluations");
+  study.unsettled = unsettled_designs(study);
   return study;
 }
 

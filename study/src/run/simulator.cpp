@@ -35,6 +35,7 @@ records::Simulation from_result(const designs::CaseSpec& spec, int threads,
   simulation.cancelled = result.status == solver::Status::cancelled;
   simulation.ok = result.status == solver::Status::ok;
   simulation.reason = result.reason;
+  simulation.stop_reason = solver::to_string(result.stop_reason);
   simulation.metrics = result.metrics;
   simulation.wall_time = result.statistics.wall_time;
   simulation.particle_steps = static_cast<double>(result.mass.particles_released) *

@@ -150,13 +150,23 @@ TEST_F(StudyOnDisk, EstimatesAreThoseOfThisStudy) {
   EXPECT_FALSE(study::load_study_folder(folder).front.has_value());
 }
 
-TEST_F(StudyOnDisk, SaysWhichDesignsEndedAtTheStopTime) {
+TEST_F(StudyOnDisk, SaysWhichDesignsEndedAtTheStopTimeFromTheReportsOfAnOlderVersion) {
   write("evaluations.jsonl", line(record(1)));
   std::filesystem::create_directory(folder / "evaluations");
   write("evaluations/0001.json", R"({"simulation": {"stop_reason": "settled"}})");
   write("evaluations/0002.json", R"({"simulation": {"stop_reason": "end_time"}})");
   write("evaluations/0003-soft.json",
         R"({"details": {"simulation": {"stop_reason": "end_time"}}})");
+  EXPECT_EQ(study::load_study_folder(folder).unsettled, (std::set<std::string>{"0002", "0003"}));
+}
+
+TEST_F(StudyOnDisk, SaysWhichDesignsEndedAtTheStopTimeFromTheLogAlone) {
+  records::EvaluationRecord settled = record(1), late = record(2), late_event = record(3);
+  settled.stop_reason = "settled";
+  late.stop_reason = "end_time";
+  late_event.scenarios = {{"usual", 0.5, true, "", late.metrics, 0.0, 0.0, 0.0, "settled"},
+                          {"soft", 0.5, true, "", late.metrics, 0.0, 0.0, 0.0, "end_time"}};
+  write("evaluations.jsonl", line(settled) + line(late) + line(late_event));
   EXPECT_EQ(study::load_study_folder(folder).unsettled, (std::set<std::string>{"0002", "0003"}));
 }
 

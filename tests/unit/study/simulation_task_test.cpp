@@ -114,6 +114,7 @@ TEST(SimulationJson, RoundTripKeepsEveryBit) {
                                  .level_spacing = {0.005, 0.01},
                                  .level_mean = {1.0 / 7.0, 2.0 / 7.0}}},
   };
+  simulation.stop_reason = "end_time";
   simulation.wall_time = 0.1 + 0.2;
   simulation.cpu_time = 1e-300;
   simulation.particle_steps = 123456789012345.0;
@@ -123,6 +124,7 @@ TEST(SimulationJson, RoundTripKeepsEveryBit) {
   EXPECT_TRUE(back.ok);
   EXPECT_FALSE(back.cancelled);
   EXPECT_EQ(back.reason, simulation.reason);
+  EXPECT_EQ(back.stop_reason, simulation.stop_reason);
   ASSERT_EQ(back.metrics.size(), simulation.metrics.size());
   for (std::size_t k = 0; k < back.metrics.size(); ++k) {
     const solver::Metric &a = back.metrics[k], &b = simulation.metrics[k];

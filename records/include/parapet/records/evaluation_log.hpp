@@ -43,6 +43,7 @@ struct ScenarioRecord {
   double wall_time = 0.0;       ///< [s]
   double cpu_time = 0.0;        ///< [s]
   double particle_steps = 0.0;  ///< particles released times time steps
+  std::string stop_reason;      ///< why its simulation ended; empty: not known
 };
 
 /// One evaluated design, as it stands in the log. Numbers keep every bit through the file.
@@ -65,6 +66,7 @@ struct EvaluationRecord {
   std::vector<ScenarioRecord> scenarios;  ///< empty: the base event alone
   double cpu_time = 0.0;                  ///< sum over the scenarios [s]; 0: not known
   double particle_steps = 0.0;            ///< sum over the scenarios; 0: not known
+  std::string stop_reason;                ///< of the base event; empty: scenarios, or not known
 };
 
 /// A scenario as the log holds it.

@@ -13,8 +13,9 @@ namespace parapet::records {
 /// Outcome of one simulation.
 struct Simulation {
   bool ok = false;
-  bool cancelled = false;  ///< nothing else is meaningful then
-  std::string reason;      ///< why it failed: an impossible scene, or the solver's reason
+  bool cancelled = false;   ///< nothing else is meaningful then
+  std::string reason;       ///< why it failed: an impossible scene, or the solver's reason
+  std::string stop_reason;  ///< "settled", "end_time" ...; empty when it never started
   std::vector<solver::Metric> metrics;
   double wall_time = 0.0;       ///< [s]
   double cpu_time = 0.0;        ///< processor time of all threads [s]
