@@ -30,9 +30,8 @@ NeighborRows::NeighborRows(const Solids& solids, const WallPoints& walls, double
       walls_(walls),
       reach_(reach),
       skin_(skin),
-      periodic_length_(periodic_length) {
-  prepare_walls();
-}
+      periodic_length_(periodic_length),
+      wall_cells_(solids, walls, reach + skin) {}
 
 void NeighborRows::add_fluid_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
                                        std::vector<std::int32_t>& out) const {
@@ -46,16 +45,8 @@ void NeighborRows::add_fluid_neighbors(const Fluid& fluid, int i, const std::vec
     if (periodic_length_ > 0.0) rx -= periodic_length_ * std::round(rx / periodic_length_);
     return Vec2{rx, p.z - fluid.z[at(j)]};
   };
-  const int ix = std::clamp(grid_.column(p.x), 0, grid_.nx - 1), iz = grid_.row(p.z);
-  const int z_from = std::max(0, iz - 1), z_to = std::min(grid_.nz - 1, iz + 1);
-  for (int sx = -1; sx <= 1; ++sx) {
-    int jx = ix + sx;
-    if (periodic_length_ > 0.0) {
-      jx = (jx + grid_.nx) % grid_.nx;
-    } else if (jx < 0 || jx >= grid_.nx) {
-      continue;
-    }
-    const int from = start_[grid_.cell(jx, z_from)], to = start_[grid_.cell(jx, z_to) + 1];
+  for (const auto& [from, to] : cells_[at(cell_of_[at(i)])].near) {
+    if (from == to) continue;
     // Every candidate is written and the next one over it unless it was near: a branch would be
     // guessed wrong too often.
     std::size_t count = out.size();
@@ -84,14 +75,9 @@ void NeighborRows::add_wall_neighbors(const Fluid& fluid, int i, const std::vect
   const int images = periodic_length_ > 0.0 ? 1 : 0;
   for (int image = -images; image <= images; ++image) {
     const double shift = image * periodic_length_;
-    const int ix = wall_grid_.column(p.x + shift), iz = wall_grid_.row(p.z);
-    for (int jx = std::max(0, ix - 1); jx <= std::min(wall_grid_.nx - 1, ix + 1); ++jx) {
-      const int z_from = std::max(0, iz - 1), z_to = std::min(wall_grid_.nz - 1, iz + 1);
-      if (z_from > z_to) continue;
-      const int from = wall_start_[wall_grid_.cell(jx, z_from)];
-      const int to = wall_start_[wall_grid_.cell(jx, z_to) + 1];
-      for (int s = from; s < to; ++s) {
-        const std::int32_t k = wall_sorted_[at(s)];
+    const int ix = wall_cells_.column(p.x + shift), iz = wall_cells_.row(p.z);
+    for (int jx = ix - 1; jx <= ix + 1; ++jx) {
+      for (const std::int32_t k : wall_cells_.points(jx, iz - 1, iz + 1)) {
         const Vec2 q{walls_.x[at(k)] - shift, walls_.z[at(k)]};
         const double rx = p.x - q.x, rz = p.z - q.z;
         if (rx * rx + rz * rz >= limit) continue;
@@ -144,25 +130,29 @@ void NeighborRows::join(const std::vector<RowBuffer>& buffers, int n) {
 
 // Rows of the wall points: the same pairs seen from the other side.
 void NeighborRows::transpose_wall_rows(int n) {
-  const std::size_t points = walls_.size();
-  const auto ghost = static_cast<std::int32_t>(points);
+  const auto ghost = static_cast<std::int32_t>(walls_.size());
   std::vector<std::int32_t>& count = point_count_;
-  count.assign(points + 1, 0);
-  for (int i = 0; i < n; ++i) {
-    for (int s = wall_begin_[at(i)]; s < end_[at(i)]; ++s) ++count[at(index_[at(s)])];
-  }
+  count.resize(walls_.size() + 1, 0);
+  // Only what the last rows touched is cleared, and only what these touch is visited: most of a
+  // long channel's walls are far from the fluid.
+  for (const std::int32_t k : active_) count[at(k)] = 0;
   active_.clear();
+  for (int i = 0; i < n; ++i) {
+    for (int s = wall_begin_[at(i)]; s < end_[at(i)]; ++s) {
+      const std::int32_t k = index_[at(s)];
+      if (k != ghost && count[at(k)]++ == 0) active_.push_back(k);
+    }
+  }
+  std::sort(active_.begin(), active_.end());
   point_begin_.clear();
   point_end_.clear();
   std::int32_t slots = 0;
-  for (std::size_t k = 0; k < points; ++k) {
-    if (count[k] == 0) continue;
-    active_.push_back(static_cast<std::int32_t>(k));
+  for (const std::int32_t k : active_) {
     point_begin_.push_back(slots);
     const std::int32_t from = slots;
-    slots += (count[k] + lanes - 1) / lanes * lanes;
+    slots += (count[at(k)] + lanes - 1) / lanes * lanes;
     point_end_.push_back(slots);
-    count[k] = from;  // from now on: the next free slot
+    count[at(k)] = from;  // from now on: the next free slot
   }
   point_index_.assign(at(slots), n);
   for (int i = 0; i < n; ++i) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -41,6 +43,98 @@ TEST(NeighborRows, HoldEveryPairWithinTheReachAndNoneTwice) {
     EXPECT_EQ(fluid_row(view, i, fluid.n), expected);
     EXPECT_EQ((view.wall_begin[i] - view.begin[i]) % lanes, 0);
   }
+}
+
+std::set<std::int32_t> expected_row(const Fluid& fluid, int i, double reach, double period) {
+  std::set<std::int32_t> expected;
+  for (int j = 0; j < fluid.n; ++j) {
+    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+    double rx = fluid.x[a] - fluid.x[b];
+    if (period > 0.0) rx -= period * std::round(rx / period);
+    if (j != i && std::hypot(rx, fluid.z[a] - fluid.z[b]) < reach) expected.insert(j);
+  }
+  return expected;
+}
+
+// Cells over the box that holds these would be 10^14: only those with particles are kept.
+TEST(NeighborRows, EmptySpaceBetweenTheParticlesCostsNothing) {
+  std::vector<InitialParticle> particles;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> place(0.0, 0.1);
+  for (const auto& [x, z] : {std::pair(0.0, 0.0), std::pair(2e5, 1e5), std::pair(-1e5, 3e5)}) {
+    for (int k = 0; k < 150; ++k) {
+      particles.push_back({x + place(random), z + place(random), 0, 0, 1000, 1});
+    }
+  }
+  Fluid fluid;
+  fluid.assign(particles);
+  const Solids none;
+  const WallPoints no_walls;
+  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.0);
+  rows.build(fluid, 2);
+  for (int i = 0; i < fluid.n; ++i) {
+    EXPECT_EQ(fluid_row(rows.view(), i, fluid.n), expected_row(fluid, i, 0.024, 0.0));
+  }
+  EXPECT_FALSE(rows.outdated(fluid));
+}
+
+TEST(NeighborRows, SeeThroughThePeriodicEnds) {
+  for (const double period : {0.075, 0.1, 0.3}) {  // three, four and twelve cells
+    std::vector<InitialParticle> particles;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(0.0, 1.0);
+    for (int k = 0; k < 300; ++k) {
+      particles.push_back({period * place(random), 0.1 * place(random), 0, 0, 1000, 1});
+    }
+    Fluid fluid;
+    fluid.assign(particles);
+    const Solids none;
+    const WallPoints no_walls;
+    NeighborRows rows(none, no_walls, 0.02, 0.004, period);
+    rows.build(fluid, 1);
+    for (int i = 0; i < fluid.n; ++i) {
+      EXPECT_EQ(fluid_row(rows.view(), i, fluid.n), expected_row(fluid, i, 0.024, period));
+    }
+  }
+}
+
+// A channel of 1000 m by 500 m has 6 * 10^8 cells of 30 mm; those along its walls are 10^5.
+TEST(WallCells, HoldEveryFaceNearAPlaceHoweverLargeTheChannel) {
+  Scene scene;
+  scene.domain_length = 1000.0;
+  scene.domain_height = 500.0;
+  Barrier barrier;
+  barrier.deflector = Deflector{0.785, 0.065};
+  scene.barriers = {barrier};
+  scene.solids = {{{{1.5, 0.2}, {2.5, 0.9}, {2.0, 1.0}}}};  // slanting, in clear air
+  Numerics numerics;
+  numerics.spacing = 0.02;
+  const FlowSetup setup = channel_setup(scene, numerics, 1);
+  const double reach = 0.0532, size = 0.06;
+  const WallPoints walls = lay_out_walls(setup.solids, numerics.spacing, reach);
+  const WallCells cells(setup.solids, walls, size);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> x(0.0, 3.0), z(0.0, 1.5);
+  int near = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Vec2 p{x(random), z(random)};
+    const std::vector<int>& found = cells.faces_near(p);
+    for (std::size_t f = 0; f < setup.solids.faces.size(); ++f) {
+      const Face& face = setup.solids.faces[f];
+      const double distance = distance_to_segment(face.a, face.b, p);
+      if (distance <= 0.5 * size) {
+        EXPECT_TRUE(cells.may_be_reached_from(p));
+      }
+      if (distance > size) continue;
+      ++near;
+      EXPECT_NE(std::find(found.begin(), found.end(), static_cast<int>(f)), found.end())
+          << "face " << f << " at " << p.x << ", " << p.z;
+    }
+  }
+  EXPECT_GT(near, 1000);
+  EXPECT_TRUE(cells.faces_near({500.0, 250.0}).empty());
+  EXPECT_FALSE(cells.may_be_reached_from({500.0, 250.0}));
+  EXPECT_FALSE(cells.faces_near({999.9, 0.01}).empty()) << "the bed's far end";
 }
 
 TEST(NeighborRows, AreOutdatedBeforeAPairCanComeIntoReach) {

@@ -1,11 +1,13 @@
 /// Cell-sorted neighbour rows, reused while no pair can have come closer than the skin allows.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "parapet/flow/fluid.hpp"
 #include "parapet/flow/geometry.hpp"
+#include "parapet/flow/wall_cells.hpp"
 #include "parapet/flow/wall_layout.hpp"
 
 namespace parapet::solver {
@@ -33,26 +35,39 @@ class NeighborRows {
     return end_[static_cast<std::size_t>(i)] > wall_begin_[static_cast<std::size_t>(i)];
   }
   /// Faces near a place: a superset of those within reach + skin.
-  const std::vector<int>& faces_near(Vec2 p) const;
+  const std::vector<int>& faces_near(Vec2 p) const { return wall_cells_.faces_near(p); }
 
  private:
-  struct Grid {  // uniform cells, column by column
+  struct Grid {  // uniform cells, numbered column by column
     double x0 = 0.0, z0 = 0.0, cell_x = 1.0, cell_z = 1.0;
-    int nx = 1, nz = 1;
-    int column(double x) const;
-    int row(double z) const;
-    std::size_t cell(int ix, int iz) const {
-      return static_cast<std::size_t>(ix) * static_cast<std::size_t>(nz) +
-             static_cast<std::size_t>(iz);
-    }
+    std::int64_t nx = 1, nz = 1;
+    std::int64_t column(double x) const;
+    std::int64_t row(double z) const;
+    std::int64_t cell(std::int64_t ix, std::int64_t iz) const { return ix * nz + iz; }
+  };
+  struct CellRange {  // [begin, end)
+    std::int32_t begin = 0, end = 0;
+  };
+  struct Cell {  // one that holds particles
+    std::int64_t number = 0;
+    std::int32_t begin = 0, end = 0;  // its particles
+    bool near_wall = false;
+    std::array<CellRange, 3> near = {};   // particles beside it: of the columns before, own, after
+    std::array<CellRange, 3> later = {};  // cells up to two away: itself and later ones
+  };
+  struct Motion {  // the box that holds the displacements of a cell's particles
+    double x_min, x_max, z_min, z_max;
   };
   struct RowBuffer {  // one block's rows before they are joined
     std::vector<std::int32_t> index, fluid_count, wall_count;
   };
 
-  void prepare_walls();
-  // Whether a particle from here may reach a wall before it has moved half a cell.
-  bool wall_may_be_reached(Vec2 p) const;
+  bool walls_may_be_reached(Vec2 p) const { return wall_cells_.may_be_reached_from(p); }
+  void place_grid(const Fluid& fluid);
+  void sort_by_cell(std::int64_t cells);
+  void link_cells();
+  CellRange cells_of_column(std::int64_t ix, std::int64_t z_from, std::int64_t z_to,
+                            int& hint) const;
   void sort(Fluid& fluid);
   void fill_block(const Fluid& fluid, int begin, int end, RowBuffer& buffer) const;
   void add_fluid_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
@@ -67,21 +82,19 @@ class NeighborRows {
   double reach_, skin_, periodic_length_;
   bool valid_ = false;
 
-  Grid wall_grid_;  // over the walls
-  std::vector<std::int32_t> wall_start_, wall_sorted_;
-  std::vector<char> cell_near_wall_;          // per cell of wall_grid_
-  std::vector<std::vector<int>> cell_faces_;  // per cell of wall_grid_
-  std::vector<int> no_faces_;
+  WallCells wall_cells_;
 
-  Grid grid_;  // over the fluid, renewed at each build
-  std::vector<std::int32_t> start_, order_, cell_of_, next_, occupied_;
-  std::vector<char> near_wall_;            // per cell
-  std::vector<double> built_x_, built_z_;  // positions at the build
+  Grid grid_;                                       // over the fluid, renewed at each build
+  std::vector<Cell> cells_;                         // ascending numbers
+  std::vector<std::int64_t> number_of_;             // of a particle's cell, before the sorting
+  std::vector<std::int32_t> order_, sorted_order_;  // old particle of a new one
+  std::vector<std::int32_t> cell_of_;               // [n] index into cells_
+  std::vector<double> built_x_, built_z_;           // positions at the build
 
   std::vector<std::int32_t> begin_, wall_begin_, end_, index_;
   std::vector<std::int32_t> point_begin_, point_end_, point_index_, active_, point_count_;
   std::vector<RowBuffer> buffers_;
-  mutable std::vector<double> motion_;  // scratch of outdated()
+  mutable std::vector<Motion> motion_;  // [cells] scratch of outdated()
 };
 
 }  // namespace parapet::solver
