@@ -27,6 +27,14 @@ SimulationTask make_task(const designs::StudySpec& study, const designs::Design&
   return task;
 }
 
+SimulationTask task_from_case(designs::CaseSpec spec, std::string label) {
+  SimulationTask task;
+  task.label = std::move(label);
+  task.spec = std::move(spec);
+  task.key = records::case_hash(task.spec);
+  return task;
+}
+
 Json to_json(const SimulationTask& task) {
   Json json;
   json["format"] = format;

@@ -27,6 +27,9 @@ SimulationTask make_task(const designs::StudySpec& study, const designs::Design&
                          const designs::Scenario* scenario, double spacing, std::string label,
                          int threads);
 
+/// The task of a case that was resolved before.
+SimulationTask task_from_case(designs::CaseSpec spec, std::string label);
+
 /// As JSON, format "parapet-simulation-task/1", and back: the same case to the bit.
 designs::Json to_json(const SimulationTask& task);
 

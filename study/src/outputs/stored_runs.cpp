@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "parapet/designs/error.hpp"
+#include "parapet/study/loaded_study.hpp"
+#include "parapet/study/verify.hpp"
+
+namespace parapet::study {
+namespace {
+
+using designs::InputError;
+using designs::Json;
+
+std::string program_of(const Json& provenance) {
+  if (!provenance.is_object()) return "";
+  const std::string version = provenance.value("program_version", "");
+  const std::string revision = provenance.value("git_revision", "");
+  return revision.empty() ? version : version + " (" + revision + ")";
+}
+
+/// The stored runs of one design: one for each scenario, or the base event.
+void add_design(const std::shared_ptr<const LoadedStudy>& study,
+                const records::EvaluationRecord& record, std::vector<StoredRun>& runs) {
+  StoredRun run{.label = record.id, .program = program_of(study->provenance), .task = {}};
+  const auto task = [study, &record](const designs::Scenario* scenario, const std::string& label) {
+    return make_task(study->spec, record.design, scenario, record.spacing, label, 1);
+  };
+  if (study->spec.scenarios.empty()) {
+    run.ok = record.ok;
+    run.metrics = record.metrics;
+    run.task = [task, label = run.label] { return task(nullptr, label); };
+    runs.push_back(std::move(run));
+    return;
+  }
+  for (const records::ScenarioRecord& one : record.scenarios) {
+    const auto found = std::ranges::find(study->spec.scenarios, one.name, &designs::Scenario::name);
+    if (found == study->spec.scenarios.end()) continue;
+    StoredRun event = run;
+    event.label += " " + one.name;
+    event.ok = one.ok;
+    event.metrics = one.metrics;
+    event.task = [task, scenario = &*found, label = event.label] { return task(scenario, label); };
+    runs.push_back(std::move(event));
+  }
+}
+
+/// A design of which nothing was simulated has no metric to compare.
+bool was_simulated(const records::EvaluationRecord& record) {
+  return !record.metrics.empty() || std::ranges::any_of(record.scenarios, [](const auto& scenario) {
+    return !scenario.metrics.empty();
+  });
+}
+
+std::vector<StoredRun> runs_of_study(const std::filesystem::path& folder) {
+  const auto study = std::make_shared<const LoadedStudy>(load_study_folder(folder));
+  std::vector<StoredRun> runs;
+  for (const records::EvaluationRecord& record : study->designs) {
+    if (was_simulated(record)) add_design(study, record, runs);
+  }
+  return runs;
+}
+
+/// From a file of the format "parapet-result/1".
+StoredRun run_of_result(const std::filesystem::path& file) {
+  const Json json = designs::read_json(file);
+  const auto refuse = [&](const std::string& problem) {
+    return InputError({{.file = file.string(),
+                        .pointer = "",
+                        .value = "",
+                        .problem = problem,
+                        .allowed = "a result of this program (\"parapet-result/1\")"}});
+  };
+  if (!json.is_object() || json.value("format", Json()) != "parapet-result/1") {
+    throw refuse("this is no result");
+  }
+  StoredRun run;
+  try {
+    run.label = file.filename() == "result.json" ? json.at("name").get<std::string>()
+                                                 : file.stem().string();
+    run.program = program_of(json.at("provenance"));
+    run.ok = json.at("status") == "ok";
+    for (const auto& [key, value] : json.at("metrics").items()) {
+      run.metrics.push_back(
+          {key, value.is_null() ? std::nullopt : std::optional(value.get<double>()), ""});
+    }
+    run.task = [label = run.label, spec = json.at("case"), name = file.string()] {
+      return task_from_case(designs::parse_case(spec, name + " /case"), label);
+    };
+  } catch (const Json::exception& error) {
+    throw refuse(std::string("it is damaged: ") + error.what());
+  }
+  return run;
+}
+
+std::vector<StoredRun> runs_of_sweep(const std::filesystem::path& rows) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(rows)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  std::vector<StoredRun> runs;
+  for (const auto& file : files) runs.push_back(run_of_result(file));
+  return runs;
+}
+
+}  // namespace
+
+std::vector<StoredRun> stored_runs(const std::filesystem::path& folder) {
+  if (std::filesystem::exists(folder / "study.json")) return runs_of_study(folder);
+  if (std::filesystem::is_directory(folder / "rows")) return runs_of_sweep(folder / "rows");
+  if (std::filesystem::exists(folder / "result.json")) {
+    return {run_of_result(folder / "result.json")};
+  }
+  throw InputError({{.file = folder.string(),
+                     .pointer = "",
+                     .value = "",
+                     .problem = "there is nothing to verify here",
+                     .allowed = "a folder of parapet optimize (study.json), table3 (rows/) or "
+                                "simulate (result.json)"}});
+}
+
+}  // namespace parapet::study
