@@ -73,6 +73,7 @@ struct Fluid {
   void for_each_field(const Visit& visit) {
     visit_fields(*this, visit);
   }
+  /// The same; the arrays cannot be changed.
   template <class Visit>
   void for_each_field(const Visit& visit) const {
     visit_fields(*this, visit);

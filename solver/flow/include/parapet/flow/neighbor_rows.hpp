@@ -30,6 +30,7 @@ class NeighborRows {
   void invalidate() { valid_ = false; }
 
   RowView view() const;  ///< valid until the next build
+  /// Neighbours in all rows, those within the skin included: what the rows take in memory.
   std::int64_t fluid_slots() const { return static_cast<std::int64_t>(index_.size()); }
   bool touches_wall(int i) const {  ///< particle i has wall points in its row
     return end_[static_cast<std::size_t>(i)] > wall_begin_[static_cast<std::size_t>(i)];

@@ -55,10 +55,11 @@ class StageTimer {
  public:
   using Clock = std::function<double()>;  ///< [s]
   StageTimer();                           ///< on the steady clock
-  explicit StageTimer(Clock clock);
+  explicit StageTimer(Clock clock);       ///< on a clock of the caller's, for tests
 
   /// From now on the time is `stage`'s; the stage that had it so far is returned, for leave().
   Stage enter(Stage stage);
+  /// Gives the time back to the stage that enter() returned.
   void leave(Stage outer) { switch_to(outer); }
 
   /// Pairs that each visit of a neighbour sum sees from now on.
@@ -90,6 +91,7 @@ class StageTimer {
 /// Gives a stage the time from here to the end of the block. Without a timer it does nothing.
 class StageScope {
  public:
+  /// Enters the stage, until the end of the block. `timer` may be null.
   StageScope(StageTimer* timer, Stage stage) : timer_(timer) {
     if (timer_ != nullptr) outer_ = timer_->enter(stage);
   }

@@ -36,10 +36,13 @@ struct WallPoints {
   std::vector<int> owner;  ///< [n] the face that a point belongs to
 
   WallPoints() : WallPoints(std::span<const WallPoint>{}, {}) {}
+  /// Points and the face of each; both of the same length.
   WallPoints(std::span<const WallPoint> points, std::vector<int> owners);
+  /// Number of points, without the ghost.
   std::size_t size() const {
     return owner.size();
-  }  // without the ghost
+  }
+  /// For the passes, until the next change of the arrays.
   WallView view();
 };
 
