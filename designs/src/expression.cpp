@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "findings.hpp"
+#include "formula_grammar.hpp"
 #include "study_parts.hpp"
 #include "words.hpp"
 
@@ -26,12 +27,6 @@ class BoundExpression {
   mu::Parser parser_;
 };
 
-/// muParser would take "a = 0.1" as an assignment, and "a <= 0.1" as 0 or 1.
-bool is_comparison(const std::string& expression) {
-  return expression.find_first_of("<>=") != std::string::npos &&
-         expression.find('?') == std::string::npos;
-}
-
 ExpressionProblem parser_problem(const std::string& expression, const mu::ParserError& error,
                                  const std::vector<std::string>& names) {
   const std::string known = "a formula of " + joined(names);
@@ -53,20 +48,21 @@ ExpressionProblem parser_problem(const std::string& expression, const mu::Parser
 
 ExpressionProblem expression_problem(const std::string& expression,
                                      const std::vector<std::string>& names) {
-  if (is_comparison(expression)) {
-    return {"is a comparison, not a value",
-            "a formula such as a + b; its limits stand in the keys lower and upper"};
-  }
+  // muParser takes more than anybody means: a = 0.1 as an assignment, 0,5 as a list of which the
+  // last entry counts, a <= 0.1 as 0 or 1.
+  ExpressionProblem unmeant = grammar_problem(expression);
+  const bool is_comma = unmeant.problem.find("comma") != std::string::npos;
   Design design;
   for (const std::string& name : names) design[name] = 1.0;
   try {
     BoundExpression bound(expression, design);
     bound.value();
+    if (!unmeant.problem.empty()) return unmeant;
     if (!bound.uses_any()) {
       return {"does not depend on any variable", "a formula of " + joined(names)};
     }
   } catch (const mu::ParserError& error) {
-    return parser_problem(expression, error, names);
+    return is_comma ? unmeant : parser_problem(expression, error, names);
   }
   return {};
 }

@@ -2,9 +2,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "findings.hpp"
 #include "parapet/designs/case_spec.hpp"
@@ -15,7 +15,21 @@ namespace {
 
 constexpr int deepest_nesting = 64;
 
+/// Of one object. Looking a key up takes a walk over its object, so without a limit a file of
+/// hundreds of thousands of keys would keep the program busy for minutes.
+constexpr std::size_t most_keys = 5000;
+
+/// More of the same need not be said.
+constexpr std::size_t most_repeated = 100;
+
+/// Beyond it a file is not one of ours; a device such as /dev/zero never ends.
+constexpr std::size_t most_bytes = 256UL << 20U;
+
 struct TooDeep : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct TooManyKeys : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -27,8 +41,11 @@ class DuplicateKeys {
     using Event = Json::parse_event_t;
     if (depth > deepest_nesting) throw TooDeep("nested too deeply");
     if (event == Event::key) {
+      if (levels_.back().seen.size() >= most_keys) throw TooManyKeys("too many keys");
       levels_.back().key = parsed.get<std::string>();
-      if (!levels_.back().seen.insert(levels_.back().key).second) found_.push_back(pointer());
+      if (!levels_.back().seen.insert(levels_.back().key).second && found_.size() < most_repeated) {
+        found_.push_back(pointer());
+      }
     } else if (event == Event::object_start || event == Event::array_start) {
       levels_.push_back({event == Event::array_start, 0, "", {}});
     } else {
@@ -40,6 +57,13 @@ class DuplicateKeys {
 
   const std::vector<std::string>& found() const { return found_; }
 
+  /// Where the parser is.
+  std::string pointer() const { return pointer_to(levels_.size()); }
+  /// The object or list that it is in.
+  std::string parent_pointer() const {
+    return pointer_to(levels_.empty() ? 0 : levels_.size() - 1);
+  }
+
  private:
   struct Level {
     bool is_array;
@@ -48,9 +72,10 @@ class DuplicateKeys {
     std::set<std::string> seen;
   };
 
-  std::string pointer() const {
+  std::string pointer_to(std::size_t depth) const {
     std::string text;
-    for (const Level& level : levels_) {
+    for (std::size_t k = 0; k < depth; ++k) {
+      const Level& level = levels_[k];
       text = level.is_array ? child_pointer(text, level.index) : child_pointer(text, level.key);
     }
     return text;
@@ -71,14 +96,26 @@ std::string place_in(const std::string& text, std::size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
+/// "[json.exception.type_error.302] type must be ..." without the number in brackets.
+std::string without_number(const std::string& text) {
+  const std::size_t end = text.starts_with("[json.exception") ? text.find("] ") : std::string::npos;
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 /// The library's message without its number and its own place.
 std::string bare_message(const Json::exception& error) {
   const std::string text = error.what();
-  for (const char* mark : {"syntax error ", "number overflow "}) {
-    const std::size_t at = text.find(mark);
-    if (at != std::string::npos) return text.substr(at);
-  }
-  return text;
+  const std::size_t at = text.find("syntax error ");
+  return at == std::string::npos ? without_number(text) : text.substr(at);
+}
+
+/// The number that the library's message quotes.
+std::string overflowing_number(const Json::exception& error) {
+  const std::string text = error.what();
+  const std::size_t from = text.find('\''), to = text.rfind('\'');
+  if (from == std::string::npos || to <= from) return "";
+  const std::string number = text.substr(from + 1, to - from - 1);
+  return number.size() > 60 ? number.substr(0, 57) + "..." : number;
 }
 
 }  // namespace
@@ -93,8 +130,16 @@ Json parse_json(const std::string& text, const std::string& file) {
     json = Json::parse(text, std::ref(duplicates));
   } catch (const Json::parse_error& error) {
     throw fail("is not JSON: " + place_in(text, error.byte) + ": " + bare_message(error));
+  } catch (const Json::out_of_range& error) {
+    throw InputError({{file, duplicates.pointer(), overflowing_number(error),
+                       "is beyond every number that the program can hold",
+                       "a number between -1.7e308 and 1.7e308"}});
   } catch (const Json::exception& error) {
     throw fail("is not JSON: " + bare_message(error));
+  } catch (const TooManyKeys&) {
+    throw InputError({{file, duplicates.parent_pointer(), "",
+                       "holds more than " + std::to_string(most_keys) + " keys",
+                       "at most " + std::to_string(most_keys) + " keys in one object"}});
   } catch (const TooDeep&) {
     throw fail("is nested more than " + std::to_string(deepest_nesting) + " levels deep");
   }
@@ -117,7 +162,17 @@ Json read_json(const std::filesystem::path& file) {
     const std::string why = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
     throw InputError({{name, "", "", "cannot be read" + why, "a JSON file"}});
   }
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::string text;
+  std::vector<char> part(1U << 16U);
+  while (stream) {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > most_bytes) {
+      throw InputError(
+          {{name, "", "", "is larger than " + std::to_string(most_bytes >> 20U) + " MiB",
+            "a JSON file of at most that size"}});
+    }
+  }
   return parse_json(text, name);
 }
 

@@ -35,6 +35,15 @@ bool has_any_type(const Json& value, const Json& type) {
                      [&](const Json& one) { return has_type(value, one.get<std::string>()); });
 }
 
+/// "must not be a text"; of a number where only a whole one is allowed, that it is not whole.
+std::string type_problem(const Json& value, const Json& type) {
+  const bool whole_wanted =
+      type == "integer" ||
+      (type.is_array() && std::find(type.begin(), type.end(), "integer") != type.end());
+  if (value.is_number() && whole_wanted) return "is not a whole number";
+  return "must not be " + type_name(value);
+}
+
 /// Whether a text is of the form that a node's maxLength and pattern ask for.
 bool has_form(const Json& node, const std::string& text) {
   // The length first: the pattern search recurses with every character.
@@ -53,7 +62,7 @@ class Walk {
   void visit(SchemaNode schema, const Json& value, const std::string& pointer) {
     schema = follow_reference(schema);
     if (schema->contains("type") && !has_any_type(value, schema->at("type"))) {
-      add(schema, value, pointer, "must not be " + type_name(value));
+      add(schema, value, pointer, type_problem(value, schema->at("type")));
       return;
     }
     if (schema->contains("const") && value != schema->at("const")) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "parapet/designs/study_spec.hpp"
+#include "study_parts.hpp"
 
 namespace parapet::designs {
 namespace {
@@ -46,6 +47,63 @@ TEST(Expression, NamesWhatItCannotRead) {
 TEST(Expression, RefusesValuesThatAreNotFinite) {
   EXPECT_THROW(evaluate_expression("1 / (height_m - 0.1)", design), InputError);
   EXPECT_THROW(evaluate_expression("sqrt(-height_m)", design), InputError);
+}
+
+const std::vector<std::string> names{"a", "b", "height_m"};
+
+// What people mean by a formula.
+TEST(Grammar, TakesNumbersNamesOperatorsFunctionsAndConditions) {
+  for (const char* formula :
+       {"a", "-a + 2.5e-3 * b", "a^2 / (b - .5)", "2^-a", "max(a, b)", "max(0.5, a)",
+        "min(1, a, b)", "a < b ? a : b", "a <= 1 && b != 2 || height_m > 1 ? 1 : 0 * a",
+        "(a < b ? 1 : 2) * a", "a<b?a:b>1?b:2", "sin(a * _pi / 180)", " a\t+\n1 ", "+a", "5. * a",
+        "1E3*a"}) {
+    EXPECT_EQ(expression_problem(formula, names).problem, "") << formula;
+  }
+}
+
+struct Unmeant {
+  const char* formula;
+  const char* problem;
+};
+
+// The parser would take each of these in silence.
+TEST(Grammar, RefusesWhatNobodyMeans) {
+  for (const Unmeant& one :
+       std::vector<Unmeant>{{"0,5 * a", "comma at character 2 outside"},
+                            {"a, b", "comma at character 2 outside"},
+                            {"(a, b)", "comma at character 3 outside"},
+                            {"a + (0,5)", "comma at character 7 outside"},
+                            {"max(0,5, a)", "comma between two digits at character 6"},
+                            {"sum(1,5,a)", "comma between two digits"},
+                            {"a = 0.1", "is a comparison"},
+                            {"a < b", "is a comparison"},
+                            {"(a < b)", "is a comparison"},
+                            {"max(a < b, 1)", "is a comparison"},
+                            {"(a < b) + a", "calculates with a comparison"},
+                            {"a * (a == b)", "calculates with a comparison"},
+                            {"-(a < b)", "calculates with a comparison"},
+                            {"a < b < height_m", "is a comparison"},
+                            {"a ? 1 : 2", "a number at character 1 where a condition"},
+                            {"a && b", "joins numbers"},
+                            {"a || b ? 1 : 2", "joins numbers"}}) {
+    const ExpressionProblem found = expression_problem(one.formula, names);
+    EXPECT_FALSE(found.problem.empty()) << one.formula << " is taken";
+    EXPECT_FALSE(found.allowed.empty()) << one.formula;
+    EXPECT_NE(found.problem.find(one.problem), std::string::npos)
+        << one.formula << ": " << found.problem;
+  }
+}
+
+// Refused by the parser or by the grammar, with whichever reason.
+TEST(Grammar, RefusesWhatIsNoFormula) {
+  const std::string deep = std::string(5000, '(') + "a" + std::string(5000, ')');
+  for (const std::string& formula :
+       std::vector<std::string>{"",    " ",     "\"a\"", "a b",     "2a",  "a;b",   "1.2.3*a",
+                                "a +", "max(a", "max()", "max(a,)", "a)",  "a % b", "a += 1",
+                                "a²",  "a × b", "1e*a",  "0x10*a",  "a:b", "a?b",   deep}) {
+    EXPECT_FALSE(expression_problem(formula, names).problem.empty()) << formula.substr(0, 20);
+  }
 }
 
 }  // namespace

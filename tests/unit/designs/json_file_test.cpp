@@ -27,8 +27,41 @@ TEST(JsonText, SyntaxErrorsNameLineAndColumn) {
 
 // A number too large for a double must not become an infinity.
 TEST(JsonText, NumbersOutOfRangeAreRefused) {
-  EXPECT_NE(message_of("{\"a\": 1e999}").find("1e999"), std::string::npos)
+  EXPECT_EQ(message_of("{\"a\": 1e999}").find("file.json: /a: 1e999: is beyond every number"), 0U)
       << message_of("{\"a\": 1e999}");
+  EXPECT_EQ(message_of(R"({"b": [0, {"x": 1, "y": -1e400}]})").find("file.json: /b/1/y: -1e400: "),
+            0U)
+      << message_of(R"({"b": [0, {"x": 1, "y": -1e400}]})");
+  EXPECT_EQ(message_of("[1, 2, 1e309]").find("file.json: /2: 1e309: "), 0U);
+  EXPECT_EQ(message_of("1e400").find("file.json: 1e400: "), 0U) << message_of("1e400");
+  EXPECT_EQ(message_of("[1e308, 1e-400]"), "accepted");
+}
+
+// Each key is looked up in its object: without a limit, 400,000 of them took a minute.
+TEST(JsonText, ManyKeysAreRefusedAtOnce) {
+  const auto with_keys = [](int count) {
+    std::string text = "{\"format\": \"f\", \"inner\": {";
+    for (int k = 0; k < count; ++k) text += (k ? ",\"k" : "\"k") + std::to_string(k) + "\":1";
+    return text + "}}";
+  };
+  EXPECT_EQ(message_of(with_keys(5000)), "accepted");
+  EXPECT_EQ(
+      message_of(with_keys(400000)),
+      "file.json: /inner: holds more than 5000 keys; allowed: at most 5000 keys in one object");
+  std::string repeated = "{\"a\":1";
+  for (int k = 0; k < 400000; ++k) repeated += ",\"a\":1";
+  EXPECT_LT(message_of(repeated + "}").size(), 10000U) << "said a hundred times at most";
+}
+
+// A device never ends.
+TEST(JsonText, EndlessFilesAreRefused) {
+  if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "no such device here";
+  try {
+    read_json("/dev/zero");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("/dev/zero: is larger than"), std::string::npos);
+  }
 }
 
 // Keeping the last of two equal keys would lose the other in silence.

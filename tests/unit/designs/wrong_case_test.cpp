@@ -61,7 +61,7 @@ const WrongInput wrong_cases[] = {
      "/numerics/integrator", "is not known", "\"rk4_explicit\""},
     {"FractionForWholeNumber",
      R"([{"op": "add", "path": "/numerics/cg_max_iterations", "value": 1.5}])",
-     "/numerics/cg_max_iterations", "must not be a number", "a whole number from 1 to 100000"},
+     "/numerics/cg_max_iterations", "is not a whole number", "a whole number from 1 to 100000"},
     {"BodyWithTwoCorners",
      R"([{"op": "replace", "path": "/solids/0/vertices_m", "value": [[0, 0], [1, 0]]}])",
      "/solids/0/vertices_m", "has 2 entries", "a list of 3 to 1000 entries"},
