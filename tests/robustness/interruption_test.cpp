@@ -50,7 +50,7 @@ TEST_F(Interruption, KilledBeforeAnythingIsLoggedResumes) {
 }
 
 TEST_F(Interruption, ControlCEndsInGoodOrderAndSaysHowToResume) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const std::string out = "out" + std::to_string(signal);
     const Outcome outcome = disturb(out, 5, signal);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
