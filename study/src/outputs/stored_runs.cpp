@@ -22,7 +22,9 @@ std::string program_of(const Json& provenance) {
 /// The stored runs of one design: one for each scenario, or the base event.
 void add_design(const std::shared_ptr<const LoadedStudy>& study,
                 const records::EvaluationRecord& record, std::vector<StoredRun>& runs) {
-  StoredRun run{.label = record.id, .program = program_of(study->provenance), .task = {}};
+  StoredRun run;
+  run.label = record.id;
+  run.program = program_of(study->provenance);
   const auto task = [study, &record](const designs::Scenario* scenario, const std::string& label) {
     return make_task(study->spec, record.design, scenario, record.spacing, label, 1);
   };
