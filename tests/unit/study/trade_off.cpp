@@ -65,8 +65,12 @@ records::EvaluationRecord TradeOff::record(double height, std::optional<double> 
   record.feasible = force <= 100.0;
   record.spacing = spacing;
   for (const char* name : {"soft", "stiff"}) {
-    record.scenarios.push_back(
-        {.name = name, .weight = 0.5, .ok = true, .reason = "", .metrics = record.metrics});
+    records::ScenarioRecord scenario;
+    scenario.name = name;
+    scenario.weight = 0.5;
+    scenario.ok = true;
+    scenario.metrics = record.metrics;
+    record.scenarios.push_back(scenario);
   }
   return record;
 }
