@@ -8,8 +8,10 @@ namespace parapet::cli {
 namespace {
 
 // The globals of the program: a signal handler can reach nothing else.
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<bool> interrupt_flag = false;
 std::atomic<long long> interrupted_at_ms = 0;
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<long long>::is_always_lock_free,
               "only lock-free atomics work in a handler");
 
