@@ -73,7 +73,8 @@ TEST(Verify, FailedSimulationFailsAgain) {
 TEST(Verify, FolderWithoutResultsIsRefused) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "empty");
-  for (const char* name : {"empty", "nowhere"}) {
+  std::filesystem::create_directories(folder / "no_rows/rows");
+  for (const char* name : {"empty", "nowhere", "no_rows"}) {
     const Outcome outcome = verify(folder, {name});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_PRED_FORMAT2(IsSubstring, "there is nothing to verify here", outcome.err);

@@ -19,6 +19,12 @@ std::string program_of(const Json& provenance) {
   return revision.empty() ? version : version + " (" + revision + ")";
 }
 
+/// Of a record of the base event: a design may have failed although its simulation did not.
+std::optional<bool> simulation_ended_well(const records::EvaluationRecord& record) {
+  if (record.ok || record.stop_reason == "settled" || record.stop_reason == "end_time") return true;
+  return record.stop_reason.empty() ? std::nullopt : std::optional(false);
+}
+
 /// The stored runs of one design: one for each scenario, or the base event.
 void add_design(const std::shared_ptr<const LoadedStudy>& study,
                 const records::EvaluationRecord& record, std::vector<StoredRun>& runs) {
@@ -29,7 +35,8 @@ void add_design(const std::shared_ptr<const LoadedStudy>& study,
     return make_task(study->spec, record.design, scenario, record.spacing, label, 1);
   };
   if (study->spec.scenarios.empty()) {
-    run.ok = record.ok;
+    run.ok = simulation_ended_well(record);
+    run.reason = record.reason;
     run.metrics = record.metrics;
     run.task = [task, label = run.label] { return task(nullptr, label); };
     runs.push_back(std::move(run));
@@ -41,17 +48,15 @@ void add_design(const std::shared_ptr<const LoadedStudy>& study,
     StoredRun event = run;
     event.label += " " + one.name;
     event.ok = one.ok;
+    event.reason = one.reason;
     event.metrics = one.metrics;
     event.task = [task, scenario = &*found, label = event.label] { return task(scenario, label); };
     runs.push_back(std::move(event));
   }
 }
 
-/// A design of which nothing was simulated has no metric to compare.
 bool was_simulated(const records::EvaluationRecord& record) {
-  return !record.metrics.empty() || std::ranges::any_of(record.scenarios, [](const auto& scenario) {
-    return !scenario.metrics.empty();
-  });
+  return record.particle_steps > 0.0 || !record.metrics.empty();
 }
 
 std::vector<StoredRun> runs_of_study(const std::filesystem::path& folder) {
@@ -82,6 +87,7 @@ StoredRun run_of_result(const std::filesystem::path& file) {
                                                  : file.stem().string();
     run.program = program_of(json.at("provenance"));
     run.ok = json.at("status") == "ok";
+    run.reason = json.at("reason").get<std::string>();
     for (const auto& [key, value] : json.at("metrics").items()) {
       run.metrics.push_back(
           {key, value.is_null() ? std::nullopt : std::optional(value.get<double>()), ""});
@@ -89,8 +95,8 @@ StoredRun run_of_result(const std::filesystem::path& file) {
     run.task = [label = run.label, spec = json.at("case"), name = file.string()] {
       return task_from_case(designs::parse_case(spec, name + " /case"), label);
     };
-  } catch (const Json::exception& error) {
-    throw refuse(std::string("it is damaged: ") + error.what());
+  } catch (const Json::exception&) {
+    throw refuse("a key is missing or of the wrong type");
   }
   return run;
 }
@@ -109,17 +115,21 @@ std::vector<StoredRun> runs_of_sweep(const std::filesystem::path& rows) {
 }  // namespace
 
 std::vector<StoredRun> stored_runs(const std::filesystem::path& folder) {
-  if (std::filesystem::exists(folder / "study.json")) return runs_of_study(folder);
-  if (std::filesystem::is_directory(folder / "rows")) return runs_of_sweep(folder / "rows");
-  if (std::filesystem::exists(folder / "result.json")) {
-    return {run_of_result(folder / "result.json")};
+  std::vector<StoredRun> runs;
+  if (std::filesystem::exists(folder / "study.json")) {
+    runs = runs_of_study(folder);
+  } else if (std::filesystem::is_directory(folder / "rows")) {
+    runs = runs_of_sweep(folder / "rows");
+  } else if (std::filesystem::exists(folder / "result.json")) {
+    runs = {run_of_result(folder / "result.json")};
   }
+  if (!runs.empty()) return runs;
   throw InputError({{.file = folder.string(),
                      .pointer = "",
                      .value = "",
                      .problem = "there is nothing to verify here",
                      .allowed = "a folder of parapet optimize (study.json), table3 (rows/) or "
-                                "simulate (result.json)"}});
+                                "simulate (result.json) in which something was simulated"}});
 }
 
 }  // namespace parapet::study

@@ -17,13 +17,11 @@ constexpr const char* format = "parapet-simulation-task/1";
 SimulationTask make_task(const designs::StudySpec& study, const designs::Design& design,
                          const designs::Scenario* scenario, double spacing, std::string label,
                          int threads) {
-  SimulationTask task;
-  task.label = std::move(label);
+  SimulationTask task =
+      task_from_case(designs::design_case(study, design, scenario, spacing), std::move(label));
   task.design = design;
   if (scenario != nullptr) task.scenario = scenario->name;
-  task.spec = designs::design_case(study, design, scenario, spacing);
   task.threads = threads;
-  task.key = records::case_hash(task.spec);
   return task;
 }
 

@@ -35,8 +35,10 @@ std::vector<std::size_t> spread_sample(std::size_t total, std::size_t count) {
 
 std::vector<Difference> compare(const StoredRun& stored, const records::Simulation& now) {
   std::vector<Difference> differences;
-  if (stored.ok != now.ok) {
-    differences.push_back({"status", stored.ok ? "ok" : "failed", now.ok ? "ok" : now.reason});
+  if (stored.ok && *stored.ok != now.ok) {
+    differences.push_back({"status", *stored.ok ? "ok" : "failed", now.ok ? "ok" : now.reason});
+  } else if (stored.ok && !now.ok && stored.reason != now.reason) {
+    differences.push_back({"reason", stored.reason, now.reason});
   }
   std::map<std::string, std::optional<double>> values;
   for (const solver::Metric& metric : now.metrics) values[metric.key] = metric.value;

@@ -18,7 +18,10 @@ struct StoredRun {
   std::string label;    ///< evaluation's id, with scenarios "ID SCENARIO"; or a row's
   std::string program;  ///< version and revision that made it; empty: not known
   std::function<SimulationTask()> task;  ///< @throws designs::InputError when it cannot be made
-  bool ok = false;
+  /// Whether the simulation ended well; empty where the log of an earlier version does not tell it
+  /// from a design that failed for want of an objective's value.
+  std::optional<bool> ok;
+  std::string reason;  ///< why it failed
   std::vector<solver::Metric> metrics;
 };
 
@@ -34,7 +37,7 @@ std::vector<std::size_t> spread_sample(std::size_t total, std::size_t count);
 
 /// One number that did not come out again.
 struct Difference {
-  std::string key;     ///< metric, or "status"
+  std::string key;     ///< metric, "status", or "reason" of a failure
   std::string stored;  ///< as text with all its digits; "absent" without a value
   std::string now;
 };
