@@ -43,7 +43,7 @@ int check_command(const Session& session, const std::vector<std::string>& files)
   std::size_t issues = 0;
   for (const std::string& file : files) {
     try {
-      fmt::print("{}: ok ({})\n", file, describe(file));
+      session.out->print("{}: ok ({})\n", file, describe(file));
     } catch (const designs::InputError& error) {
       for (const designs::InputIssue& issue : error.issues()) {
         session.log->error("{}", designs::to_string(issue));

@@ -1,9 +1,5 @@
-#include <fmt/format.h>
-
 #include <chrono>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <memory>
 
 #include "common_options.hpp"
@@ -30,8 +26,7 @@ struct EvaluateOptions : CommonOptions {
 /// The text of --design and what to call it in messages.
 std::pair<std::string, std::string> design_source(const std::string& argument) {
   if (argument == "-") {
-    return {std::string{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()},
-            "--design - (standard input)"};
+    return {read_standard_input(), "--design - (standard input)"};
   }
   if (argument.starts_with('@')) {
     const std::string file = argument.substr(1);
@@ -105,7 +100,7 @@ int evaluate_command(const Session& session, const EvaluateOptions& options) {
     }
     record = store(session, options, study, *run);
   }
-  fmt::print("{}\n", records::to_json(*record).dump());
+  session.out->print("{}\n", records::to_json(*record).dump());
   if (record->ok) return exit_done;
   session.log->error("the evaluation failed: {}", record->reason);
   return exit_failed;

@@ -100,39 +100,39 @@ study::StudySummary run_with_progress(const Session& session, const OptimizeOpti
   return study::run_study(study, run);
 }
 
-void print_best(const study::StudySummary& summary) {
+void print_best(const Session& session, const study::StudySummary& summary) {
   if (summary.best) {
-    fmt::print("best feasible design\n{}", record_text(*summary.best));
+    session.out->print("best feasible design\n{}", record_text(*summary.best));
   } else {
-    fmt::print("no design meets every constraint\n");
+    session.out->print("no design meets every constraint\n");
   }
   if (summary.starting_best) {
-    fmt::print("best of the starting designs\n{}", record_text(*summary.starting_best));
+    session.out->print("best of the starting designs\n{}", record_text(*summary.starting_best));
   }
 }
 
-void print_front(const study::StudySummary& summary, const designs::StudySpec& study) {
+void print_front(const Session& session, const study::StudySummary& summary, const designs::StudySpec& study) {
   if (summary.pareto.empty()) {
-    fmt::print("no design meets every constraint\n");
+    session.out->print("no design meets every constraint\n");
     return;
   }
-  fmt::print("{}: no feasible design dominates one of these\n{}",
+  session.out->print("{}: no feasible design dominates one of these\n{}",
              front_text(static_cast<int>(summary.pareto.size()), summary.hypervolume),
              front_table(study, summary.pareto));
 }
 
-void print_summary(const study::StudySummary& summary, const designs::StudySpec& study,
+void print_summary(const Session& session, const study::StudySummary& summary, const designs::StudySpec& study,
                    const std::filesystem::path& folder) {
-  fmt::print(
+  session.out->print(
       "{}: {} ({}), {} designs evaluated ({} by this run in {}), {} rejected without simulation\n",
       study.name, study::to_string(summary.state), summary.message, summary.evaluations,
       summary.simulated, duration_text(summary.elapsed), summary.rejected);
   if (study.objectives.size() > 1) {
-    print_front(summary, study);
+    print_front(session, summary, study);
   } else {
-    print_best(summary);
+    print_best(session, summary);
   }
-  fmt::print("results: {}\nadvice:  parapet recommend {}\n", folder.string(), folder.string());
+  session.out->print("results: {}\nadvice:  parapet recommend {}\n", folder.string(), folder.string());
 }
 
 int optimize_command(const Session& session, const OptimizeOptions& options) {
@@ -148,7 +148,7 @@ int optimize_command(const Session& session, const OptimizeOptions& options) {
     session.log->error("the study failed: {}", summary.message);
     return exit_failed;
   }
-  print_summary(summary, study, folder);
+  print_summary(session, summary, study, folder);
   return exit_done;
 }
 

@@ -4,15 +4,19 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <sstream>
+#include <system_error>
 
 #include "interrupt.hpp"
 #include "parapet/designs/error.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "program_info.hpp"
 #include "session.hpp"
+#include "standard_streams.hpp"
 
 namespace parapet::cli {
 namespace {
@@ -63,10 +67,14 @@ int parse_and_run(CLI::App& app, Session& session, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_bad_input;
+    std::ostringstream out, err;
+    const int code = app.exit(error, out, err);
+    session.out->write(out.str());
+    std::fputs(err.str().c_str(), stderr);
+    return code == 0 ? exit_done : exit_bad_input;
   }
   if (!session.command) {
-    fmt::print(stderr, "{}", app.help());
+    std::fputs(app.help().c_str(), stderr);
     return exit_bad_input;
   }
   install_interrupt_handler();
@@ -77,6 +85,17 @@ void say_each(const Session& session, const designs::InputError& error) {
   for (const designs::InputIssue& issue : error.issues()) {
     session.log->error("{}", designs::to_string(issue));
   }
+}
+
+/// Output that nobody got makes a success a failure. A reader that has seen enough (EPIPE) knows.
+int finish_output(const Session& session, int code) {
+  const int error = session.out->finish();
+  if (error == 0) return code;
+  if (error != EPIPE) {
+    session.log->error("cannot write standard output: {}; what was printed is lost",
+                       std::generic_category().message(error));
+  }
+  return code == exit_done ? exit_failed : code;
 }
 
 int run_guarded(Session& session, int argc, char** argv, std::initializer_list<AddVerb> verbs) {
@@ -113,8 +132,9 @@ int run_program(int argc, char** argv, std::initializer_list<AddVerb> verbs) {
     Session session;
     session.program = program_info();
     session.log = make_logger();
+    session.out = std::make_shared<StandardOutput>();
     session.arguments.assign(argv, argv + argc);
-    return run_guarded(session, argc, argv, verbs);
+    return finish_output(session, run_guarded(session, argc, argv, verbs));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
   } catch (...) {

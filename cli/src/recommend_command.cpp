@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -106,7 +104,7 @@ int recommend_command(const Session& session, const RecommendOptions& options) {
   for (const std::string& file : reports::draw_study_plots(folder, recommendation)) {
     session.log->info("written: {}", (folder / file).string());
   }
-  if (!session.quiet) fmt::print("{}", text);
+  if (!session.quiet) session.out->write(text);
   session.log->info("written: {} and recommendation.json", (folder / "recommendation.md").string());
   if (!recommendation.recommended) {
     session.log->warn(

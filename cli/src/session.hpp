@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "parapet/records/provenance.hpp"
+#include "standard_streams.hpp"
 
 namespace parapet::cli {
 
@@ -20,6 +21,7 @@ enum ExitCode : int { exit_done = 0, exit_failed = 1, exit_bad_input = 2, exit_i
 struct Session {
   records::ProgramInfo program;
   std::shared_ptr<spdlog::logger> log;  ///< to standard error
+  std::shared_ptr<StandardOutput> out;  ///< what the verb answers
   std::vector<std::string> arguments;   ///< as given, the program's name first
   bool quiet = false;                   ///< no progress, only warnings and errors
   std::function<int()> command;         ///< of the verb that was chosen; gives the exit code

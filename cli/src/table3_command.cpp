@@ -56,9 +56,9 @@ int table3_command(const Session& session, const Table3Options& options) {
                        outcome.rows.size(), folder.string());
     return exit_interrupted;
   }
-  fmt::print("{}",
+  session.out->print("{}",
              reports::sweep_table_text(outcome.rows, sweep.rows.front().spec.numerics.spacing));
-  fmt::print("results: {}\n", (folder / (sweep.name + ".json")).string());
+  session.out->print("results: {}\n", (folder / (sweep.name + ".json")).string());
   int failed = 0;
   for (const records::SweepRowResult& row : outcome.rows) {
     if (row.status == solver::Status::ok) continue;

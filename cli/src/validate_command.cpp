@@ -32,9 +32,9 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-void list_cases() {
+void list_cases(const Session& session) {
   for (const validation::CaseInfo& c : validation::list_cases()) {
-    fmt::print("{:<20} {}\n", c.name, c.title);
+    session.out->print("{:<20} {}\n", c.name, c.title);
   }
 }
 
@@ -56,28 +56,28 @@ validation::SuiteOutcome run_cases(const Session& session, const ValidateOptions
   return validation::run_suite(suite);
 }
 
-void write_pages(const std::filesystem::path& folder) {
+void write_pages(const Session& session, const std::filesystem::path& folder) {
   for (const validation::Page& page : validation::pages(folder)) {
     records::write_file_atomically(folder / page.file, page.text);
   }
-  fmt::print("pages: {}\n", (folder / "README.md").string());
+  session.out->print("pages: {}\n", (folder / "README.md").string());
 }
 
 int validate_command(const Session& session, const ValidateOptions& options) {
   if (options.list) {
-    list_cases();
+    list_cases(session);
     return exit_done;
   }
   const std::filesystem::path folder =
       !options.out.empty() ? options.out
                            : (options.quick ? "runs/validation-quick" : "docs/validation");
   if (options.pages_only) {
-    write_pages(folder);
+    write_pages(session, folder);
     return exit_done;
   }
   const validation::SuiteOutcome outcome = run_cases(session, options, folder);
-  fmt::print("{}", validation::scorecard_text(outcome.cards));
-  if (!options.quick) write_pages(folder);
+  session.out->print("{}", validation::scorecard_text(outcome.cards));
+  if (!options.quick) write_pages(session, folder);
   if (!outcome.unfinished.empty()) {
     session.log->error("interrupted; continue with: parapet validate {}",
                        joined(outcome.unfinished));

@@ -3,10 +3,12 @@
 #include <vector>
 
 #include "program.hpp"
+#include "standard_streams.hpp"
 #include "thread_policy.hpp"
 
 int main(int argc, char** argv) {
   using namespace parapet::cli;
+  open_standard_streams();
   let_waiting_threads_sleep(argv);
   // Messages and help are those of `parapet validate`.
   char verb[] = "validate";

@@ -34,14 +34,15 @@ void name_other_programs(const Session& session, const std::vector<study::Stored
   }
 }
 
-void print_run(const study::StoredRun& run, const study::VerifiedRun& verified) {
+void print_run(const Session& session, const study::StoredRun& run,
+               const study::VerifiedRun& verified) {
   if (verified.differences.empty()) {
-    fmt::print("{:<20} same, {} metrics\n", run.label, run.metrics.size());
+    session.out->print("{:<20} same, {} metrics\n", run.label, run.metrics.size());
     return;
   }
-  fmt::print("{:<20} DIFFERS\n", run.label);
+  session.out->print("{:<20} DIFFERS\n", run.label);
   for (const study::Difference& one : verified.differences) {
-    fmt::print("    {}: stored {}, now {}\n", one.key, one.stored, one.now);
+    session.out->print("    {}: stored {}, now {}\n", one.key, one.stored, one.now);
   }
 }
 
@@ -69,12 +70,12 @@ int verify_command(const Session& session, const VerifyOptions& options) {
   }
   std::size_t n_same = 0;
   for (const study::VerifiedRun& one : *verified) {
-    print_run(runs[one.index], one);
+    print_run(session, runs[one.index], one);
     if (one.differences.empty()) ++n_same;
   }
-  fmt::print("{} of {} simulations run again, of {} in {}: {}\n", n_same, verified->size(),
-             runs.size(), options.folder.string(),
-             n_same == verified->size() ? "the same to the last bit" : "NOT all the same");
+  session.out->print("{} of {} simulations run again, of {} in {}: {}\n", n_same, verified->size(),
+                     runs.size(), options.folder.string(),
+                     n_same == verified->size() ? "the same to the last bit" : "NOT all the same");
   return n_same == verified->size() ? exit_done : exit_failed;
 }
 

@@ -1,0 +1,60 @@
+#include "standard_streams.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+
+#include "parapet/records/atomic_file.hpp"
+
+namespace parapet::cli {
+
+void open_standard_streams() {
+  std::signal(SIGPIPE, SIG_IGN);
+  // The modes of the first two are the wrong ones on purpose: their use must fail.
+  constexpr std::array<int, 3> modes{O_WRONLY, O_RDONLY, O_WRONLY};
+  for (int descriptor = 0; descriptor < 3; ++descriptor) {
+    if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+    // The lowest number that is free is this one. Without /dev/null another open descriptor serves.
+    const int mode = modes[static_cast<std::size_t>(descriptor)];
+    if (::open("/dev/null", mode) < 0 && ::open("/", O_RDONLY | O_DIRECTORY) < 0) ::_exit(1);
+  }
+}
+
+void StandardOutput::write(std::string_view text) {
+  while (error_ == 0 && !text.empty()) {
+    used_ = true;
+    const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      error_ = errno;
+    }
+  }
+}
+
+int StandardOutput::finish() {
+  if (error_ != 0 || !used_) return error_;
+  // Some file systems say only when a file is closed that there was no room for it.
+  const int copy = ::dup(STDOUT_FILENO);
+  if (copy < 0 || ::close(copy) != 0) error_ = errno;
+  return error_;
+}
+
+std::string read_standard_input() {
+  std::string text;
+  std::array<char, 65536> part{};
+  for (;;) {
+    const ssize_t size = ::read(STDIN_FILENO, part.data(), part.size());
+    if (size == 0) return text;
+    if (size > 0) {
+      text.append(part.data(), static_cast<std::size_t>(size));
+    } else if (errno != EINTR) {
+      records::throw_file_error("read", "standard input", errno);
+    }
+  }
+}
+
+}  // namespace parapet::cli

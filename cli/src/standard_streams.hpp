@@ -1,0 +1,41 @@
+/// Standard input, output and error, whatever state the caller left them in.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace parapet::cli {
+
+/// Opens descriptors 0 to 2 where they are closed, so that no file of ours gets one of these numbers
+/// and then what is printed. What stands in for a closed stream refuses its use: reading and writing
+/// fail with EBADF, as on the closed descriptor. Standard error's swallows. From now on a reader that
+/// goes away is an error of the write (EPIPE), not the end of the process. The first thing in main.
+void open_standard_streams();
+
+/// Standard output. Every write is checked; the first that fails is remembered, and what follows is
+/// not written.
+class StandardOutput {
+ public:
+  template <typename... T>
+  void print(fmt::format_string<T...> format, T&&... arguments) {
+    write(fmt::format(format, std::forward<T>(arguments)...));
+  }
+  void write(std::string_view text);
+
+  /// Asks the file system whether all of it has arrived: the errno value of what went wrong first,
+  /// 0 for nothing.
+  int finish();
+
+ private:
+  bool used_ = false;
+  int error_ = 0;
+};
+
+/// All of standard input.
+/// @throws records::FileError when it cannot be read, also when it is closed
+std::string read_standard_input();
+
+}  // namespace parapet::cli
