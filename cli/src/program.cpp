@@ -1,18 +1,20 @@
 #include "program.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/sinks/base_sink.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
 #include <new>
 #include <sstream>
 #include <system_error>
 
 #include "interrupt.hpp"
 #include "parapet/designs/error.hpp"
+#include "parapet/designs/text.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "program_info.hpp"
 #include "session.hpp"
@@ -32,12 +34,24 @@ constexpr const char* examples = R"(Examples:
 Exit codes: 0 done, 1 a run failed, 2 bad input or arguments, 130 interrupted.
 A spec that is not found as a file but has the name of a shipped one is taken from the program.)";
 
+/// Messages, one line each whatever they quote. What standard error does not take is lost: there is
+/// nowhere to say it, and the exit code tells how the program ended.
+class MessageSink : public spdlog::sinks::base_sink<std::mutex> {
+ protected:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    // On a terminal a message first wipes the progress line.
+    const char* begin = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+    const auto level = spdlog::level::to_string_view(message.level);
+    const std::string line =
+        fmt::format("{}{}: {}\n", begin, std::string_view(level.data(), level.size()),
+                    designs::visible_text({message.payload.data(), message.payload.size()}));
+    std::fputs(line.c_str(), stderr);
+  }
+  void flush_() override {}
+};
+
 std::shared_ptr<spdlog::logger> make_logger() {
-  auto logger = std::make_shared<spdlog::logger>("parapet",
-                                                 std::make_shared<spdlog::sinks::stderr_sink_mt>());
-  // On a terminal a message first wipes the progress line.
-  logger->set_pattern(isatty(STDERR_FILENO) != 0 ? "\r\033[K%l: %v" : "%l: %v");
-  return logger;
+  return std::make_shared<spdlog::logger>("parapet", std::make_shared<MessageSink>());
 }
 
 void add_global_options(CLI::App& app, Session& session) {
@@ -70,7 +84,7 @@ int parse_and_run(CLI::App& app, Session& session, int argc, char** argv) {
     std::ostringstream out, err;
     const int code = app.exit(error, out, err);
     session.out->write(out.str());
-    std::fputs(err.str().c_str(), stderr);
+    std::fputs(designs::visible_lines(err.str()).c_str(), stderr);
     return code == 0 ? exit_done : exit_bad_input;
   }
   if (!session.command) {
@@ -136,7 +150,7 @@ int run_program(int argc, char** argv, std::initializer_list<AddVerb> verbs) {
     session.arguments.assign(argv, argv + argc);
     return finish_output(session, run_guarded(session, argc, argv, verbs));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
+    std::fprintf(stderr, "error: %s\n", designs::visible_text(error.what()).c_str());
   } catch (...) {
     std::fputs("error: an exception of unknown type\n", stderr);
   }

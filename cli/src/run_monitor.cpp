@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "duration_text.hpp"
+#include "parapet/designs/text.hpp"
 
 namespace parapet::cli {
 namespace {
@@ -64,7 +65,7 @@ void RunMonitor::show() {
   const auto now = Clock::now();
   if (terminal_) {
     if (now - shown_ < terminal_interval) return;
-    const std::string text = line();
+    const std::string text = designs::visible_text(line());
     std::fprintf(stderr, "\r\033[K%s", text.c_str());
     std::fflush(stderr);
     line_open_ = true;

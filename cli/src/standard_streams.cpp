@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <csignal>
 
+#include "parapet/designs/text.hpp"
 #include "parapet/records/atomic_file.hpp"
 
 namespace parapet::cli {
@@ -23,7 +24,9 @@ void open_standard_streams() {
   }
 }
 
-void StandardOutput::write(std::string_view text) {
+void StandardOutput::write(std::string_view given) {
+  const std::string shown = designs::visible_lines(given);
+  std::string_view text = shown;
   while (error_ == 0 && !text.empty()) {
     used_ = true;
     const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());

@@ -9,21 +9,22 @@
 
 namespace parapet::cli {
 
-/// Opens descriptors 0 to 2 where they are closed, so that no file of ours gets one of these numbers
-/// and then what is printed. What stands in for a closed stream refuses its use: reading and writing
-/// fail with EBADF, as on the closed descriptor. Standard error's swallows. From now on a reader that
-/// goes away is an error of the write (EPIPE), not the end of the process. The first thing in main.
+/// Opens descriptors 0 to 2 where they are closed, so that no file of ours gets one of these
+/// numbers and then what is printed. What stands in for a closed stream refuses its use: reading
+/// and writing fail with EBADF, as on the closed descriptor. Standard error's swallows. From now on
+/// a reader that goes away is an error of the write (EPIPE), not the end of the process. The first
+/// thing in main.
 void open_standard_streams();
 
 /// Standard output. Every write is checked; the first that fails is remembered, and what follows is
-/// not written.
+/// not written. Characters that act on a terminal are written as \uXXXX, so that names cannot.
 class StandardOutput {
  public:
   template <typename... T>
   void print(fmt::format_string<T...> format, T&&... arguments) {
     write(fmt::format(format, std::forward<T>(arguments)...));
   }
-  void write(std::string_view text);
+  void write(std::string_view given);
 
   /// Asks the file system whether all of it has arrived: the errno value of what went wrong first,
   /// 0 for nothing.

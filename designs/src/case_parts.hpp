@@ -19,6 +19,9 @@ Json complete_inner_case(Json json, const std::string& name);
 
 /// Throws when the document says that it is something else; then nothing more is worth saying.
 /// @throws InputError
+/// @throws InputError naming every text of a document that holds a control character.
+void refuse_control_characters(const Json& json, const std::string& file);
+
 void require_format(const Json& json, const std::string& file, const std::string& expected);
 
 /// Either a case or every issue that was found.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "case_parts.hpp"
+#include "parapet/designs/text.hpp"
 
 namespace parapet::designs {
 namespace {
@@ -43,6 +44,11 @@ void require_format(const Json& json, const std::string& file, const std::string
                      "is not what this file should be", "\"" + expected + "\""}});
 }
 
+void refuse_control_characters(const Json& json, const std::string& file) {
+  std::vector<InputIssue> issues = control_character_issues(json, file);
+  if (!issues.empty()) throw InputError(std::move(issues));
+}
+
 CaseAttempt try_case(SchemaNode schema, const Json& json, const std::string& file,
                      const std::string& prefix) {
   CaseAttempt attempt;
@@ -76,6 +82,7 @@ Json complete_inner_case(Json json, const std::string& name) {
 
 CaseSpec parse_case(const Json& json, const std::string& file) {
   require_format(json, file, "parapet-case/1");
+  refuse_control_characters(json, file);
   CaseAttempt attempt = try_case(schema_document("case.schema.json"), json, file, "");
   if (!attempt.spec) throw InputError(std::move(attempt.issues));
   return *std::move(attempt.spec);

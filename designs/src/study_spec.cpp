@@ -74,6 +74,7 @@ void check_scenarios(const StudySpec& study, Findings& findings) {
 
 StudySpec parse_study(const Json& json, const std::string& file) {
   require_format(json, file, "parapet-study/1");
+  refuse_control_characters(json, file);
   const SchemaNode schema = schema_document("study.schema.json");
   std::vector<InputIssue> issues = schema_issues(schema, json, file);
   if (!issues.empty()) throw InputError(std::move(issues));

@@ -83,6 +83,7 @@ Json resolve_sweep(const Json& complete, const Json& base, const std::vector<Swe
 
 SweepSpec parse_sweep(const Json& json, const std::string& file) {
   require_format(json, file, "parapet-sweep/1");
+  refuse_control_characters(json, file);
   const SchemaNode schema = schema_document("sweep.schema.json");
   std::vector<InputIssue> issues = schema_issues(schema, json, file);
   if (!issues.empty()) throw InputError(std::move(issues));

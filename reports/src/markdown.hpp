@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace parapet::reports {
@@ -12,6 +13,13 @@ std::string signed_text(const std::optional<double>& value);
 
 /// "+12.0 %", or "-" when there is no number.
 std::string percent_text(const std::optional<double>& value);
+
+/// Text that is shown as it is written, wherever it stands in a line: no HTML, link, picture,
+/// emphasis or code begins in it, and it is one line.
+std::string markdown_text(std::string_view text);
+
+/// Text between two backticks that cannot end there.
+std::string code_text(std::string_view text);
 
 /// Text that cannot break a table's cell.
 std::string cell_text(const std::string& text);

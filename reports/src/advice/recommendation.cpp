@@ -63,9 +63,10 @@ std::vector<FailedDesign> failed_designs(const LoadedStudy& study) {
 Reproduction reproduction(const LoadedStudy& study, const study::PickRule& rule,
                           const EvaluationRecord& shown) {
   return {
-      .evaluate = fmt::format("parapet evaluate SPEC.json --design '{}' --spacing-mm {:.10g}",
-                              to_json(written_design(study.spec, shown.design)).dump(),
-                              1000.0 * shown.spacing),
+      .evaluate =
+          fmt::format("parapet evaluate SPEC.json --design {} --spacing-mm {:.10g}",
+                      study::shell_word(to_json(written_design(study.spec, shown.design)).dump()),
+                      1000.0 * shown.spacing),
       .optimize = "parapet optimize SPEC.json --out STUDY_DIR",
       .recommend = "parapet recommend STUDY_DIR" + study::command_line(rule),
       .spec = "SPEC.json is the study's spec; study.json holds it with every default under /spec",

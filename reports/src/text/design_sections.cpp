@@ -26,6 +26,8 @@ std::string bound_words(Bound bound) {
 
 std::string state_words(const ConstraintResult& constraint) {
   if (!constraint.satisfied) return "**violated**";
+  // Rounding may carry a value beyond its limit: the judge's tolerance is 1e-9 of the scale.
+  if (constraint.margin && *constraint.margin < 0.0) return "holds within the tolerance";
   if (constraint.active) return "active";
   return constraint.value ? "holds" : "holds (no value)";
 }

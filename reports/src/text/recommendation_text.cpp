@@ -11,6 +11,7 @@
 #include "markdown.hpp"
 #include "opening_text.hpp"
 #include "other_designs_text.hpp"
+#include "safe_advice.hpp"
 #include "sensitivity_text.hpp"
 #include "study_text.hpp"
 
@@ -35,8 +36,9 @@ std::string provenance_table(const designs::Json& provenance) {
   std::string text = "\n| made with | |\n|---|---|\n";
   for (const auto& [key, value] : provenance.items()) {
     if (value.is_structured()) continue;
-    text += fmt::format("| {} | {} |\n", key,
-                        cell_text(value.is_string() ? value.get<std::string>() : value.dump()));
+    const std::string shown = value.is_string() ? value.get<std::string>() : value.dump();
+    text += fmt::format("| {} | {} |\n", cell_text(markdown_text(key)),
+                        cell_text(markdown_text(shown)));
   }
   return text;
 }
@@ -55,7 +57,8 @@ std::string closing(const Recommendation& advice) {
 
 }  // namespace
 
-std::string recommendation_text(const Recommendation& advice) {
+std::string recommendation_text(const Recommendation& given) {
+  const Recommendation advice = safe_for_markdown(given);
   const DesignReport* shown = advice.shown();
   std::string text = opening_section(advice);
   if (shown != nullptr) text += variables_section(*shown);

@@ -113,17 +113,28 @@ PickRule parse_pick_rule(const std::string& rule, const std::string& weights,
   return result;
 }
 
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.,:/=+%@";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 std::string command_line(const PickRule& rule) {
-  std::string text;
+  std::string text, weights;
   if (rule.kind == RuleKind::best) text = " --rule best";
   if (rule.kind == RuleKind::knee) text = " --rule knee";
   for (const auto& [name, weight] : rule.weights) {
-    text += fmt::format("{}{}={}", text.empty() ? " --rule weights --weights " : ",", name, weight);
+    weights += fmt::format("{}{}={}", weights.empty() ? "" : ",", name, weight);
   }
+  if (!weights.empty()) text += " --rule weights --weights " + shell_word(weights);
   for (const ObjectiveLimit& limit : rule.limits) {
     text += text.empty() ? " --rule limits" : "";
-    text += limit.upper ? fmt::format(" --limit \"{}<={}\"", limit.objective, *limit.upper)
-                        : fmt::format(" --limit \"{}>={}\"", limit.objective, *limit.lower);
+    text += " --limit " + shell_word(limit.upper
+                                         ? fmt::format("{}<={}", limit.objective, *limit.upper)
+                                         : fmt::format("{}>={}", limit.objective, *limit.lower));
   }
   return text;
 }

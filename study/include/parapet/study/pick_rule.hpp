@@ -46,6 +46,9 @@ PickRule parse_pick_rule(const std::string& rule, const std::string& weights,
 /// The options that give the rule, each with a space before it; empty for the default.
 std::string command_line(const PickRule& rule);
 
+/// A text as one word of a shell's command line, in quotes where it needs them.
+std::string shell_word(const std::string& text);
+
 /// A design in the order of preference.
 struct Pick {
   std::string id;
