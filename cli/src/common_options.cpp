@@ -1,23 +1,27 @@
 #include "common_options.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <thread>
 
+#include "parapet/records/atomic_file.hpp"
+#include "parapet/records/file_name.hpp"
 #include "parapet/records/result_json.hpp"
 
 namespace parapet::cli {
 namespace {
 
-/// Letters, digits, '-', '_' and '.'; anything else becomes '_'. Never hidden, never "..".
-std::string file_name_of(const std::string& name) {
-  std::string text = name;
-  for (char& c : text) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '-' || c == '_' || c == '.';
-    if (!plain) c = '_';
+/// What a folder of an earlier version says that it is about; empty where it says nothing.
+std::string name_in(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  const std::filesystem::path file = folder / "study.json";
+  if (!std::filesystem::is_regular_file(file, ignored)) return "";
+  try {
+    const auto json = designs::Json::parse(records::read_own_file(file), nullptr, false);
+    return json.is_object() ? json.value("name", "") : "";
+  } catch (const std::exception&) {
+    return "";
   }
-  if (text.starts_with('.')) text.insert(0, "_");
-  return text;
 }
 
 }  // namespace
@@ -47,10 +51,12 @@ void add_jobs(CLI::App& app, CommonOptions& options, const std::string& what) {
 std::filesystem::path output_folder(const CommonOptions& options, const std::string& name,
                                     const std::string& verb) {
   if (!options.out.empty()) return options.out;
-  std::string folder = file_name_of(name);
-  if (!verb.empty()) folder += "-" + verb;
-  if (options.spacing_mm) folder += "-" + records::shortest_number(*options.spacing_mm) + "mm";
-  return std::filesystem::path("runs") / folder;
+  std::string ending = verb.empty() ? "" : "-" + verb;
+  if (options.spacing_mm) ending += "-" + records::shortest_number(*options.spacing_mm) + "mm";
+  const std::filesystem::path runs = "runs", early = records::file_name_of_0_1_0(name) + ending;
+  // A study that an earlier version began is continued where it is.
+  if (name_in(runs / early) == name) return runs / early;
+  return runs / (records::file_name(name) + ending);
 }
 
 }  // namespace parapet::cli

@@ -62,6 +62,7 @@ EvaluationRecord store(const Session& session, const EvaluateOptions& options,
   EvaluationRecord record = run.record();
   record.id = records::evaluation_id(1);
   record.stage = "external";
+  records::set_program(record, session.program);
   if (options.log_folder.empty()) return record;
   records::StudyFolder folder(options.log_folder, study, session.program, log_patience);
   if (const auto* known = folder.log().find(record.design, record.spacing)) return *known;
@@ -74,10 +75,11 @@ EvaluationRecord store(const Session& session, const EvaluateOptions& options,
   for (std::size_t event = 0; event < run.size(); ++event) {
     const designs::Scenario* scenario = run.scenario(event);
     if (scenario == nullptr) continue;
-    folder.store_simulation(record.id, run.design(), run.spacing(), *scenario, event,
+    folder.store_simulation(record.id, run.design(), run.spacing(), *scenario,
                             run.simulation(event).value(), provenance);
   }
   folder.store(record, run.report(session.program));
+  folder.close_after(record);
   return record;
 }
 
@@ -100,7 +102,7 @@ int evaluate_command(const Session& session, const EvaluateOptions& options) {
     }
     record = store(session, options, study, *run);
   }
-  session.out->print("{}\n", records::to_json(*record).dump());
+  session.out->print("{}\n", records::log_line(*record));
   if (record->ok) return exit_done;
   session.log->error("the evaluation failed: {}", record->reason);
   return exit_failed;

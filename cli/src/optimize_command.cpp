@@ -111,18 +111,19 @@ void print_best(const Session& session, const study::StudySummary& summary) {
   }
 }
 
-void print_front(const Session& session, const study::StudySummary& summary, const designs::StudySpec& study) {
+void print_front(const Session& session, const study::StudySummary& summary,
+                 const designs::StudySpec& study) {
   if (summary.pareto.empty()) {
     session.out->print("no design meets every constraint\n");
     return;
   }
   session.out->print("{}: no feasible design dominates one of these\n{}",
-             front_text(static_cast<int>(summary.pareto.size()), summary.hypervolume),
-             front_table(study, summary.pareto));
+                     front_text(static_cast<int>(summary.pareto.size()), summary.hypervolume),
+                     front_table(study, summary.pareto));
 }
 
-void print_summary(const Session& session, const study::StudySummary& summary, const designs::StudySpec& study,
-                   const std::filesystem::path& folder) {
+void print_summary(const Session& session, const study::StudySummary& summary,
+                   const designs::StudySpec& study, const std::filesystem::path& folder) {
   session.out->print(
       "{}: {} ({}), {} designs evaluated ({} by this run in {}), {} rejected without simulation\n",
       study.name, study::to_string(summary.state), summary.message, summary.evaluations,
@@ -132,7 +133,8 @@ void print_summary(const Session& session, const study::StudySummary& summary, c
   } else {
     print_best(session, summary);
   }
-  session.out->print("results: {}\nadvice:  parapet recommend {}\n", folder.string(), folder.string());
+  session.out->print("results: {}\nadvice:  parapet recommend {}\n", folder.string(),
+                     folder.string());
 }
 
 int optimize_command(const Session& session, const OptimizeOptions& options) {

@@ -5,6 +5,8 @@
 #include "common_options.hpp"
 #include "interrupt.hpp"
 #include "parapet/records/atomic_file.hpp"
+#include "parapet/records/checksum_list.hpp"
+#include "parapet/records/folder_lock.hpp"
 #include "parapet/records/result_json.hpp"
 #include "parapet/reports/recommendation_json.hpp"
 #include "parapet/reports/recommendation_text.hpp"
@@ -48,6 +50,7 @@ study::ConfirmOutcome confirm(const Session& session, const RecommendOptions& op
   if (options.confirm_spacing_mm) confirm.spacing = *options.confirm_spacing_mm / 1000.0;
   confirm.repeats = options.repeats;
   confirm.jobs = options.jobs;
+  confirm.program = session.program;
   confirm.on_pick = [&](const study::Pick& pick, std::size_t runs) {
     if (runs == 0) return;
     session.log->info("confirming design {}: {} runs", pick.id, runs);
@@ -85,12 +88,56 @@ bool confirm_and_say(const Session& session, const RecommendOptions& options,
   return true;
 }
 
+/// The list of checksums while the advice is written. It is left alone where somebody else writes
+/// into the folder, or nobody may.
+class AdviceChecksums {
+ public:
+  explicit AdviceChecksums(const std::filesystem::path& folder) : folder_(folder) {
+    locked([this] {
+      checksums_.emplace(folder_);
+      checksums_->begin();
+    });
+  }
+  void write() const {
+    if (checksums_) {
+      locked([this] { checksums_->write(); });
+    }
+  }
+
+ private:
+  template <typename Action>
+  void locked(const Action& action) const {
+    try {
+      const records::FolderLock lock(folder_);
+      action();
+    } catch (const designs::InputError&) {
+    } catch (const records::FileError&) {
+    }
+  }
+
+  std::filesystem::path folder_;
+  std::optional<records::ChecksumList> checksums_;
+};
+
+/// False when something was damaged.
+bool say_damage(const Session& session, const study::LoadedStudy& study) {
+  for (const std::string& note : study.notes) session.log->info("{}", note);
+  for (const std::string& sentence : study.damage) session.log->error("{}", sentence);
+  if (study.damage.empty()) return true;
+  session.log->error(
+      "the advice rests on what is sound; `parapet optimize` with the study's file simulates again "
+      "what is damaged");
+  return false;
+}
+
 int recommend_command(const Session& session, const RecommendOptions& options) {
   const std::filesystem::path& folder = options.folder;
   const study::PickRule rule =
       study::parse_pick_rule(options.rule, options.weights, options.limits);
   study::LoadedStudy study = study::load_study_folder(folder);
   study::ranked_picks(study, rule);  // what is wrong with the rule is said first
+  const bool sound = say_damage(session, study);
+  const AdviceChecksums checksums(folder);
   if (!options.no_confirm) {
     if (!confirm_and_say(session, options, study, rule)) return exit_interrupted;
     study.confirmations = study::load_confirmations(folder);
@@ -104,6 +151,7 @@ int recommend_command(const Session& session, const RecommendOptions& options) {
   for (const std::string& file : reports::draw_study_plots(folder, recommendation)) {
     session.log->info("written: {}", (folder / file).string());
   }
+  checksums.write();
   if (!session.quiet) session.out->write(text);
   session.log->info("written: {} and recommendation.json", (folder / "recommendation.md").string());
   if (!recommendation.recommended) {
@@ -111,7 +159,7 @@ int recommend_command(const Session& session, const RecommendOptions& options) {
         "no design meets every constraint and the rule's limits, so nothing is "
         "recommended");
   }
-  return exit_done;
+  return sound ? exit_done : exit_failed;
 }
 
 }  // namespace

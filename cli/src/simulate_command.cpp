@@ -7,8 +7,10 @@
 #include "duration_text.hpp"
 #include "interrupt.hpp"
 #include "parapet/records/atomic_file.hpp"
+#include "parapet/records/checksum_list.hpp"
 #include "parapet/records/folder_lock.hpp"
 #include "parapet/records/hashes.hpp"
+#include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
 #include "parapet/reports/flow_picture.hpp"
 #include "parapet/reports/vtk_frames.hpp"
@@ -159,8 +161,10 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   designs::CaseSpec spec = read_case(options.spec, options.spacing_mm);
   spec.run.profile = options.profile;
   const std::filesystem::path folder = output_folder(options, spec.name, "simulate");
-  records::make_folder(folder);
+  records::open_output_folder(folder, records::FolderKind::simulation);
   const records::FolderLock lock(folder);
+  records::take_output_folder(folder, records::FolderKind::simulation);
+  records::remove_earlier_simulation(folder);
   std::optional<FlowRecorder> recorder;
   writing([&] { recorder.emplace(options, spec, folder); });
   const int threads = options.uncertainty
@@ -175,10 +179,12 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   }
   write_result(session, spec, result, threads, folder);
   writing([&] { recorder->finish(session); });
+  records::ChecksumList(folder).write();
   session.out->print("{}: {}, {} at {:.3f} s of flow, {} steps in {}\n{}results: {}\n", spec.name,
-             solver::to_string(result.status), solver::to_string(result.stop_reason),
-             result.stop_time, result.statistics.steps, duration_text(result.statistics.wall_time),
-             metrics_text(result.metrics), folder.string());
+                     solver::to_string(result.status), solver::to_string(result.stop_reason),
+                     result.stop_time, result.statistics.steps,
+                     duration_text(result.statistics.wall_time), metrics_text(result.metrics),
+                     folder.string());
   if (result.profile) session.out->print("{}", profile_text(*result.profile, result.statistics));
   if (result.status == solver::Status::ok) return exit_done;
   session.log->error("the run failed: {}", result.reason);

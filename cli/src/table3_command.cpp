@@ -34,6 +34,7 @@ study::SweepOutcome run_rows(const Session& session, const Table3Options& option
   run.hooks.on_simulation = [&](const std::string& id, const solver::Progress& progress) {
     monitor.running(id, progress);
   };
+  run.hooks.on_message = [&](const std::string& text) { session.log->warn("{}", text); };
   run.on_row = [&](const records::SweepRowResult& row, bool kept) {
     monitor.ended(row.id, kept);
     if (kept) {
@@ -56,9 +57,9 @@ int table3_command(const Session& session, const Table3Options& options) {
                        outcome.rows.size(), folder.string());
     return exit_interrupted;
   }
-  session.out->print("{}",
-             reports::sweep_table_text(outcome.rows, sweep.rows.front().spec.numerics.spacing));
-  session.out->print("results: {}\n", (folder / (sweep.name + ".json")).string());
+  session.out->print(
+      "{}", reports::sweep_table_text(outcome.rows, sweep.rows.front().spec.numerics.spacing));
+  session.out->print("results: {}\n", (folder / study::sweep_table_file(sweep)).string());
   int failed = 0;
   for (const records::SweepRowResult& row : outcome.rows) {
     if (row.status == solver::Status::ok) continue;

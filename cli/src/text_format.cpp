@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "parapet/designs/text.hpp"
 #include "parapet/study/scoring.hpp"
 
 namespace parapet::cli {
@@ -25,10 +26,10 @@ std::string metrics_text(const std::vector<solver::Metric>& metrics) {
   for (const solver::Metric& metric : metrics) width = std::max(width, metric.key.size());
   std::string text;
   for (const solver::Metric& metric : metrics) {
-    text += metric.value
-                ? fmt::format("  {:<{}}  {:.5g}{}\n", metric.key, width, *metric.value,
-                              uncertainty_text(metric))
-                : fmt::format("  {:<{}}  - ({})\n", metric.key, width, metric.absent_reason);
+    text += metric.value ? fmt::format("  {:<{}}  {:.5g}{}\n", metric.key, width, *metric.value,
+                                       uncertainty_text(metric))
+                         : fmt::format("  {:<{}}  - ({})\n", metric.key, width,
+                                       designs::visible_text(metric.absent_reason));
   }
   return text;
 }
@@ -38,7 +39,7 @@ namespace {
 /// A variable's value; an option by its name.
 std::string value_text(const records::EvaluationRecord& record, const std::string& name) {
   const auto option = record.options.find(name);
-  if (option != record.options.end()) return option->second;
+  if (option != record.options.end()) return designs::visible_text(option->second);
   const auto value = record.design.find(name);
   return value == record.design.end() ? "-" : fmt::format("{:.5g}", value->second);
 }
@@ -65,7 +66,7 @@ std::string violated_text(const records::EvaluationRecord& record) {
   std::string text;
   for (const auto& constraint : record.constraints) {
     if (constraint.satisfied) continue;
-    text += (text.empty() ? "" : ", ") + constraint.name;
+    text += (text.empty() ? "" : ", ") + designs::visible_text(constraint.name);
   }
   return text;
 }
@@ -101,24 +102,36 @@ std::string front_table(const designs::StudySpec& study,
 std::string objectives_text(const records::EvaluationRecord& record) {
   std::string text;
   for (const auto& objective : record.objectives) {
+    const std::string name = designs::visible_text(objective.metric);
     text += text.empty() ? "" : ", ";
-    text += objective.value ? fmt::format("{} {:.4g}", objective.metric, *objective.value)
-                            : objective.metric + " -";
+    text += objective.value ? fmt::format("{} {:.4g}", name, *objective.value) : name + " -";
     if (objective.absent) text += " (absent)";
   }
   return text;
 }
+
+namespace {
+
+/// What lies beyond a limit by less than the tolerance says so.
+std::string state_text(const records::ConstraintRecord& constraint) {
+  if (!constraint.satisfied) return ", VIOLATED";
+  const bool beyond = constraint.margin && *constraint.margin < 0.0 && constraint.tolerance;
+  return beyond ? fmt::format(", satisfied within the tolerance of {:.1g}", *constraint.tolerance)
+                : ", satisfied";
+}
+
+}  // namespace
 
 std::string record_text(const records::EvaluationRecord& record) {
   std::string text = fmt::format("  design {}: {}\n  {}\n", record.id, design_text(record),
                                  objectives_text(record));
   for (const auto& constraint : record.constraints) {
     text +=
-        fmt::format("  {}: {}{}{}{}{}\n", constraint.name,
+        fmt::format("  {}: {}{}{}{}{}\n", designs::visible_text(constraint.name),
                     constraint.value ? fmt::format("{:.4g}", *constraint.value) : "no value",
                     constraint.lower ? fmt::format(", at least {:.4g}", *constraint.lower) : "",
                     constraint.upper ? fmt::format(", at most {:.4g}", *constraint.upper) : "",
-                    constraint.satisfied ? ", satisfied" : ", VIOLATED",
+                    state_text(constraint),
                     constraint.margin ? fmt::format(" (margin {:.4g})", *constraint.margin) : "");
   }
   return text;

@@ -144,6 +144,11 @@ const Point& EvaluationLedger::record(const std::vector<double>& x, Evaluation e
   return history_.back();
 }
 
+void EvaluationLedger::refuse(const std::vector<double>& x) {
+  ++rejected_;
+  if (options_.on_refused) options_.on_refused(x);
+}
+
 Reply EvaluationLedger::ask(const std::vector<double>& u) {
   const std::vector<double> x = box_.from_unit(u);
   check_limits();
@@ -154,7 +159,7 @@ Reply EvaluationLedger::ask(const std::vector<double>& u) {
   }
   std::vector<double> cheap = cheap_values(x);
   if (violation(cheap) > options_.feasibility_tolerance) {
-    ++rejected_;
+    refuse(x);
     Reply reply = reply_at(nearest_success(u));
     std::transform(cheap.begin(), cheap.end(), reply.constraints.begin(), finite_cheap);
     return reply;

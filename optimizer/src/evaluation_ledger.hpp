@@ -48,8 +48,8 @@ class EvaluationLedger {
   /// The answer at an evaluated point.
   Reply reply_at(const Point& point) const;
 
-  /// Counts a starting point that was refused without a query.
-  void count_refused() { ++rejected_; }
+  /// Counts a point that was refused, and tells of it.
+  void refuse(const std::vector<double>& x);
 
   bool any_success() const { return n_success_ > 0; }
   int evaluations() const { return static_cast<int>(history_.size()); }

@@ -56,7 +56,7 @@ std::vector<std::vector<double>> choose_starts(const Problem& problem, const Opt
     if (allowed(x)) {
       starts.push_back(std::move(x));
     } else {
-      ledger.count_refused();
+      ledger.refuse(x);
     }
   }
   const std::size_t wanted =

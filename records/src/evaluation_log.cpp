@@ -5,10 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <set>
 #include <string_view>
+#include <utility>
 
 #include "parapet/records/atomic_file.hpp"
+#include "parapet/records/checksum.hpp"
 
 namespace parapet::records {
 namespace {
@@ -28,63 +29,19 @@ void sync(int descriptor, const std::filesystem::path& file) {
   if (::fsync(descriptor) != 0) throw_file_error("sync", file, errno);
 }
 
-/// What is wrong with a line, or empty and the record filled in.
-std::string parse_line(std::string_view line, EvaluationRecord& record) {
-  try {
-    record = record_from_json(designs::Json::parse(line));
-    return {};
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
-[[noreturn]] void throw_damaged(const std::filesystem::path& file, std::size_t line_number,
-                                const std::string& what) {
-  throw designs::InputError(
-      {{.file = file.string(),
-        .pointer = "",
-        .value = fmt::format("line {}", line_number),
-        .problem = "this line of the log is damaged (" + what + ")",
-        .allowed = "one evaluation record per line; correct or remove the line"}});
-}
-
 }  // namespace
 
 std::string evaluation_id(int number) {
   return fmt::format("{:04}", number);
 }
 
-LogContent read_evaluation_log(const std::filesystem::path& file) {
-  LogContent result;
-  std::set<std::string> ids;
-  const std::string content = read_file(file);
-  for (std::size_t line_number = 1; result.whole_bytes < content.size(); ++line_number) {
-    const std::size_t begin = result.whole_bytes, end = content.find('\n', begin);
-    const bool ended = end != std::string::npos;
-    const std::string_view line =
-        std::string_view(content).substr(begin, (ended ? end : content.size()) - begin);
-    const bool last = !ended || end + 1 == content.size();
-    EvaluationRecord record;
-    std::string problem = parse_line(line, record);
-    if (problem.empty() && !ids.insert(record.id).second) {
-      problem = "the id " + record.id + " stands in an earlier line too";
-    }
-    if (!problem.empty()) {
-      if (!last) throw_damaged(file, line_number, problem);
-      result.incomplete_last_line = true;
-      return result;
-    }
-    result.ends_with_line = ended;
-    result.whole_bytes += line.size() + (ended ? 1 : 0);
-    result.records.push_back(std::move(record));
-  }
-  return result;
+std::string log_line(const EvaluationRecord& record) {
+  return line_with_checksum(to_json(record));
 }
 
 EvaluationLog::EvaluationLog(std::filesystem::path file) : file_(std::move(file)) {
   const bool is_new = !std::filesystem::exists(file_);
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (descriptor_ < 0) throw_file_error("open", file_, errno);
+  open();
   try {
     if (is_new) {
       sync(descriptor_, file_);
@@ -92,7 +49,7 @@ EvaluationLog::EvaluationLog(std::filesystem::path file) : file_(std::move(file)
     }
     read_and_repair();
   } catch (...) {
-    ::close(descriptor_);
+    if (descriptor_ >= 0) ::close(descriptor_);
     throw;
   }
 }
@@ -101,49 +58,83 @@ EvaluationLog::~EvaluationLog() {
   ::close(descriptor_);
 }
 
+void EvaluationLog::open() {
+  descriptor_ = open_own_file(file_, O_RDWR | O_CREAT | O_APPEND);
+}
+
 void EvaluationLog::read_and_repair() {
   LogContent content = read_evaluation_log(file_);
+  checksum_note_ = records::checksum_note(content, file_);
   for (EvaluationRecord& record : content.records) {
     by_design_.emplace(std::pair(record.design, record.spacing), records_.size());
     by_id_.emplace(record.id, records_.size());
     records_.push_back(std::move(record));
   }
+  for (const RefusedDesign& refused : content.refused) refused_designs_.insert(refused.design);
+  refused_ = std::move(content.refused);
+  damaged_ = std::move(content.damaged);
   if (content.incomplete_last_line) {
-    set_damage_aside(read_file(file_), content.whole_bytes);
+    cut_off_last_line(read_own_file(file_), content.whole_bytes);
   } else if (!content.ends_with_line) {  // complete but for its line end: nothing is lost
     write_all(descriptor_, "\n", file_);
     sync(descriptor_, file_);
   }
+  if (!damaged_.empty()) remove_damaged_lines(read_own_file(file_));
 }
 
-void EvaluationLog::set_damage_aside(const std::string& content, std::size_t good_size) {
+/// Keeps what is taken out of the log.
+void EvaluationLog::set_aside(const std::string& text) const {
   std::filesystem::path aside = file_;
   aside += ".damaged";
-  const int descriptor = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (descriptor < 0) throw_file_error("open", aside, errno);
+  const int descriptor = open_own_file(aside, O_WRONLY | O_CREAT | O_APPEND);
   try {
-    write_all(descriptor, content.substr(good_size) + "\n", aside);
+    write_all(descriptor, text, aside);
     sync(descriptor, aside);
   } catch (...) {
     ::close(descriptor);
     throw;
   }
   ::close(descriptor);
+}
+
+void EvaluationLog::cut_off_last_line(const std::string& content, std::size_t good_size) {
+  set_aside(content.substr(good_size) + "\n");
   if (::ftruncate(descriptor_, static_cast<off_t>(good_size)) != 0) {
     throw_file_error("repair", file_, errno);
   }
   sync(descriptor_, file_);
-  repair_note_ = fmt::format(
-      "the last line of {} was only half written: cut off ({} bytes, kept in {}); that design is "
-      "evaluated again",
-      file_.string(), content.size() - good_size, aside.filename().string());
+  repairs_.push_back(fmt::format(
+      "the last line of {} was only half written: cut off ({} bytes, kept in {}.damaged); that "
+      "design is evaluated again",
+      file_.string(), content.size() - good_size, file_.filename().string()));
 }
 
-void EvaluationLog::append(const EvaluationRecord& record) {
+void EvaluationLog::remove_damaged_lines(const std::string& content) {
+  std::string aside, sound;
+  std::size_t number = 1;
+  auto next = damaged_.begin();
+  for (std::size_t begin = 0; begin < content.size(); ++number) {
+    const std::size_t end = content.find('\n', begin) + 1;
+    const bool damaged = next != damaged_.end() && next->number == number;
+    (damaged ? aside : sound).append(content, begin, end - begin);
+    if (damaged) {
+      repairs_.push_back(to_string(*next, file_) + "; it is moved to " + file_.filename().string() +
+                         ".damaged and its design evaluated again");
+      ++next;
+    }
+    begin = end;
+  }
+  set_aside(aside);
+  write_file_atomically(file_, sound);
+  ::close(std::exchange(descriptor_, -1));
+  open();
+}
+
+void EvaluationLog::append_line(const std::string& line, bool durable) {
   const off_t size = ::lseek(descriptor_, 0, SEEK_END);
   try {
-    write_all(descriptor_, to_json(record).dump() + "\n", file_);
-    sync(descriptor_, file_);
+    write_all(descriptor_, line + "\n", file_);
+    if (durable) sync(descriptor_, file_);
   } catch (...) {
     // A disk that is full leaves half a line: take it back. If even that fails, the next opening
     // repairs it.
@@ -151,9 +142,20 @@ void EvaluationLog::append(const EvaluationRecord& record) {
       const int failed = ::ftruncate(descriptor_, size);
     throw;
   }
+}
+
+void EvaluationLog::append(const EvaluationRecord& record) {
+  append_line(log_line(record), true);
   by_design_.emplace(std::pair(record.design, record.spacing), records_.size());
   by_id_.emplace(record.id, records_.size());
   records_.push_back(record);
+}
+
+void EvaluationLog::append(RefusedDesign refused) {
+  if (!refused_designs_.insert(refused.design).second) return;
+  refused.id = fmt::format("refused-{:04}", refused_.size() + 1);
+  append_line(line_with_checksum(to_json(refused)), false);
+  refused_.push_back(std::move(refused));
 }
 
 const EvaluationRecord* EvaluationLog::find(const designs::Design& design, double spacing) const {

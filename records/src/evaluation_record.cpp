@@ -1,4 +1,5 @@
 #include <stdexcept>
+#include <string_view>
 
 #include "parapet/records/evaluation_log.hpp"
 
@@ -34,6 +35,7 @@ Json to_json(const ConstraintRecord& constraint) {
   json["upper"] = optional_json(constraint.upper);
   json["satisfied"] = constraint.satisfied;
   json["margin"] = optional_json(constraint.margin);
+  if (constraint.tolerance) json["tolerance"] = *constraint.tolerance;
   return json;
 }
 
@@ -56,6 +58,7 @@ ConstraintRecord constraint_from_json(const Json& json) {
   constraint.upper = optional_number(json.at("upper"));
   constraint.satisfied = json.at("satisfied").get<bool>();
   constraint.margin = optional_number(json.at("margin"));
+  constraint.tolerance = optional_number(json.value("tolerance", Json()));
   return constraint;
 }
 
@@ -82,6 +85,17 @@ std::vector<solver::Metric> metrics_from_json(const Json& json) {
   return metrics;
 }
 
+/// Optional texts stand there only when they say something.
+void add_text(Json& json, const char* key, const std::string& text) {
+  if (!text.empty()) json[key] = text;
+}
+
+std::string id_from_json(const Json& json) {
+  auto id = json.at("id").get<std::string>();
+  if (!is_id(id)) throw std::runtime_error("its id is not one");
+  return id;
+}
+
 bool ok_from_json(const Json& json) {
   const auto status = json.at("status").get<std::string>();
   if (status != "ok" && status != "failed") {
@@ -91,6 +105,13 @@ bool ok_from_json(const Json& json) {
 }
 
 }  // namespace
+
+bool is_id(const std::string& text) {
+  constexpr std::string_view allowed =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.";
+  return !text.empty() && text.size() <= 100 && !text.starts_with('.') &&
+         text.find_first_not_of(allowed) == std::string::npos;
+}
 
 Json to_json(const ScenarioRecord& scenario) {
   Json json;
@@ -103,7 +124,8 @@ Json to_json(const ScenarioRecord& scenario) {
   json["wall_time_s"] = scenario.wall_time;
   json["cpu_time_s"] = scenario.cpu_time;
   json["particle_steps"] = scenario.particle_steps;
-  if (!scenario.stop_reason.empty()) json["stop_reason"] = scenario.stop_reason;
+  add_text(json, "stop_reason", scenario.stop_reason);
+  add_text(json, "case_hash", scenario.case_hash);
   return json;
 }
 
@@ -118,6 +140,7 @@ ScenarioRecord scenario_from_json(const Json& json) {
   scenario.cpu_time = json.value("cpu_time_s", 0.0);
   scenario.particle_steps = json.value("particle_steps", 0.0);
   scenario.stop_reason = json.value("stop_reason", "");
+  scenario.case_hash = json.value("case_hash", "");
   return scenario;
 }
 
@@ -143,7 +166,10 @@ Json to_json(const EvaluationRecord& record) {
   json["wall_time_s"] = record.wall_time;
   if (record.cpu_time > 0.0) json["cpu_time_s"] = record.cpu_time;
   if (record.particle_steps > 0.0) json["particle_steps"] = record.particle_steps;
-  if (!record.stop_reason.empty()) json["stop_reason"] = record.stop_reason;
+  add_text(json, "stop_reason", record.stop_reason);
+  add_text(json, "case_hash", record.case_hash);
+  add_text(json, "program_version", record.program_version);
+  add_text(json, "git_revision", record.git_revision);
   if (record.scenarios.empty()) return json;
   json["scenarios"] = Json::array();
   for (const auto& scenario : record.scenarios) json["scenarios"].push_back(to_json(scenario));
@@ -152,7 +178,7 @@ Json to_json(const EvaluationRecord& record) {
 
 EvaluationRecord record_from_json(const Json& json) {
   EvaluationRecord record;
-  record.id = json.at("id").get<std::string>();
+  record.id = id_from_json(json);
   record.stage = json.at("stage").get<std::string>();
   record.design = json.at("design").get<designs::Design>();
   if (json.contains("options")) {
@@ -174,9 +200,45 @@ EvaluationRecord record_from_json(const Json& json) {
   record.cpu_time = json.value("cpu_time_s", 0.0);
   record.particle_steps = json.value("particle_steps", 0.0);
   record.stop_reason = json.value("stop_reason", "");
+  record.case_hash = json.value("case_hash", "");
+  record.program_version = json.value("program_version", "");
+  record.git_revision = json.value("git_revision", "");
   if (!json.contains("scenarios")) return record;
   for (const Json& item : json["scenarios"]) record.scenarios.push_back(scenario_from_json(item));
   return record;
+}
+
+Json to_json(const RefusedDesign& refused) {
+  Json json;
+  json["id"] = refused.id;
+  json["design"] = refused.design;
+  if (!refused.options.empty()) json["options"] = refused.options;
+  json["status"] = "refused";
+  json["reason"] = refused.reason;
+  json["constraints"] = Json::array();
+  for (const auto& constraint : refused.constraints) {
+    json["constraints"].push_back(to_json(constraint));
+  }
+  json["feasible"] = false;
+  add_text(json, "program_version", refused.program_version);
+  add_text(json, "git_revision", refused.git_revision);
+  return json;
+}
+
+RefusedDesign refused_from_json(const Json& json) {
+  RefusedDesign refused;
+  refused.id = id_from_json(json);
+  refused.design = json.at("design").get<designs::Design>();
+  if (json.contains("options")) {
+    refused.options = json["options"].get<std::map<std::string, std::string>>();
+  }
+  refused.reason = json.at("reason").get<std::string>();
+  for (const Json& item : json.at("constraints")) {
+    refused.constraints.push_back(constraint_from_json(item));
+  }
+  refused.program_version = json.value("program_version", "");
+  refused.git_revision = json.value("git_revision", "");
+  return refused;
 }
 
 }  // namespace parapet::records

@@ -42,8 +42,7 @@ bool wait_for_lock(int descriptor, const std::filesystem::path& file,
 
 FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::milliseconds patience) {
   const std::filesystem::path file = folder / ".lock";
-  descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (descriptor_ < 0) throw_file_error("open", file, errno);
+  descriptor_ = open_own_file(file, O_RDWR | O_CREAT);
   try {
     if (!wait_for_lock(descriptor_, file, patience)) {
       const std::string id = holder(descriptor_);

@@ -14,9 +14,12 @@ void leave_out_of_case(Json& json) {
 }  // namespace
 
 std::string case_hash(const designs::CaseSpec& spec) {
-  Json json = spec.resolved;
-  leave_out_of_case(json);
-  return designs::spec_hash(json);
+  return case_hash(spec.resolved);
+}
+
+std::string case_hash(Json resolved) {
+  leave_out_of_case(resolved);
+  return designs::spec_hash(resolved);
 }
 
 std::string study_hash(const designs::StudySpec& study) {

@@ -1,10 +1,24 @@
 #include "parapet/records/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
+
+#include "parapet/records/checksum.hpp"
+#include "parapet/records/hashes.hpp"
 
 namespace parapet::records {
 
 using designs::Json;
+
+namespace {
+
+/// Of the document on one line, without its checksum.
+std::string content_checksum(const Json& content) {
+  return fmt::format("{:08x}", crc32c(content.dump()));
+}
+
+}  // namespace
 
 ScenarioRecord scenario_record(const designs::Scenario* scenario, const Simulation& simulation) {
   ScenarioRecord record;
@@ -19,6 +33,9 @@ ScenarioRecord scenario_record(const designs::Scenario* scenario, const Simulati
   record.cpu_time = simulation.cpu_time;
   record.particle_steps = simulation.particle_steps;
   record.stop_reason = simulation.stop_reason;
+  if (simulation.report.contains("case")) {
+    record.case_hash = case_hash(simulation.report["case"]);
+  }
   return record;
 }
 
@@ -40,12 +57,18 @@ Json simulation_report(const designs::Design& design, double spacing,
   json["scenario"] = to_json(scenario_record(scenario, simulation));
   json["provenance"] = provenance;
   if (simulation.report.is_object()) json["details"] = simulation.report;
+  json["crc32c"] = content_checksum(json);
   return json;
 }
 
 StoredSimulation stored_simulation(const Json& json) {
   if (json.at("format") != "parapet-simulation/1") {
     throw std::runtime_error("not a parapet-simulation/1");
+  }
+  if (json.contains("crc32c")) {  // 0.1.0 wrote none
+    Json content = json;
+    content.erase("crc32c");
+    if (json["crc32c"] != content_checksum(content)) throw std::runtime_error("it was changed");
   }
   StoredSimulation stored;
   stored.design = json.at("design").get<designs::Design>();

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "parapet/records/atomic_file.hpp"
+#include "parapet/records/file_name.hpp"
 #include "parapet/records/hashes.hpp"
+#include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
 
 namespace parapet::records {
@@ -12,16 +14,14 @@ namespace {
 using designs::InputError;
 using designs::Json;
 
-constexpr const char* state_format = "parapet-study-state/1";
-
-std::filesystem::path made(const std::filesystem::path& folder) {
-  make_folder(folder);
+const std::filesystem::path& opened(const std::filesystem::path& folder) {
+  open_output_folder(folder, FolderKind::study);
   return folder;
 }
 
 Json state_json(const designs::StudySpec& study, const ProgramInfo& program) {
   Json json;
-  json["format"] = state_format;
+  json["format"] = study_state_format;
   json["name"] = study.name;
   json["spec_hash"] = study_hash(study);
   json["provenance"] = study_provenance(study, program);
@@ -33,7 +33,9 @@ Json state_json(const designs::StudySpec& study, const ProgramInfo& program) {
 /// @throws InputError when the folder holds a log but no readable study.json.
 Json read_state(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "study.json";
-  if (std::filesystem::exists(file)) return designs::read_json(file);
+  if (std::filesystem::exists(file)) {
+    return designs::parse_json(read_own_file(file), file.string());
+  }
   if (std::filesystem::exists(folder / "evaluations.jsonl")) {
     throw InputError({{.file = file.string(),
                        .pointer = "",
@@ -52,7 +54,7 @@ std::vector<std::string> prepare_folder(const std::filesystem::path& folder,
   Json wanted = state_json(study, program);
   const Json state = read_state(folder);
   if (!state.is_null()) {
-    const bool ours = state.is_object() && state.value("format", Json()) == state_format;
+    const bool ours = is_study_state(state);
     if (!ours || state.value("spec_hash", Json()) != wanted["spec_hash"]) {
       throw InputError(
           {{.file = (folder / "study.json").string(),
@@ -72,21 +74,30 @@ std::vector<std::string> prepare_folder(const std::filesystem::path& folder,
   if (state.is_object() && state.contains("begun_with")) wanted["begun_with"] = state["begun_with"];
   if (state != wanted) {
     write_file_atomically(folder / "study.json", json_text(wanted));
+    if (std::filesystem::exists(folder / checksum_list)) update_checksums(folder, {"study.json"});
   }
   return notes;
 }
 
-/// Letters, digits, '-', '_' and '.'; anything else becomes '_', and the number of the event then
-/// keeps two names apart.
-std::string file_name_of(const std::string& id, const std::string& scenario, std::size_t event) {
-  std::string name = scenario;
-  for (char& c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '-' || c == '_' || c == '.';
-    if (!plain) c = '_';
+std::string file_name_of(const std::string& id, const std::string& scenario) {
+  return id + "-" + file_name(scenario) + ".json";
+}
+
+/// A design whose line was damaged is to be simulated again: the report says which it was.
+void add_damaged(std::map<std::string, UnfinishedDesign>& found,
+                 const std::filesystem::path& folder, const EvaluationLog& log) {
+  for (const DamagedLine& line : log.damaged()) {
+    if (line.id.empty() || log.has_id(line.id) || found.contains(line.id)) continue;
+    try {
+      const Json report = Json::parse(read_own_file(folder / (line.id + ".json")));
+      UnfinishedDesign design{.id = line.id,
+                              .design = report.at("design").get<designs::Design>(),
+                              .spacing = report.at("spacing_m").get<double>(),
+                              .simulations = {}};
+      if (log.find(design.design, design.spacing) == nullptr) found.emplace(line.id, design);
+    } catch (const std::exception&) {
+    }
   }
-  if (name != scenario) name.append("-").append(std::to_string(event + 1));
-  return id + "-" + name + ".json";
 }
 
 /// The simulations in evaluations/ whose design is not in the log. What cannot be read is passed
@@ -99,7 +110,7 @@ std::vector<UnfinishedDesign> find_unfinished(const std::filesystem::path& folde
     const std::string id = name.substr(0, name.find('-'));
     if (id == name || entry.path().extension() != ".json" || log.has_id(id)) continue;
     try {
-      StoredSimulation stored = stored_simulation(designs::read_json(entry.path()));
+      StoredSimulation stored = stored_simulation(Json::parse(read_own_file(entry.path())));
       if (log.find(stored.design, stored.spacing) != nullptr) continue;
       UnfinishedDesign& design = found[id];
       if (design.id.empty()) {
@@ -113,6 +124,7 @@ std::vector<UnfinishedDesign> find_unfinished(const std::filesystem::path& folde
     } catch (const std::exception&) {
     }
   }
+  add_damaged(found, folder, log);
   std::vector<UnfinishedDesign> result;
   for (auto& [id, design] : found) result.push_back(std::move(design));
   return result;
@@ -120,19 +132,29 @@ std::vector<UnfinishedDesign> find_unfinished(const std::filesystem::path& folde
 
 }  // namespace
 
+bool is_study_state(const Json& state) {
+  const Json format = state.is_object() ? state.value("format", Json()) : Json();
+  return format == study_state_format || format == early_study_state_format;
+}
+
 StudyFolder::StudyFolder(std::filesystem::path folder, const designs::StudySpec& study,
                          const ProgramInfo& program, std::chrono::milliseconds patience)
     : folder_(std::move(folder)),
-      lock_(made(folder_), patience),
+      lock_(opened(folder_), patience),
       log_((notes_ = prepare_folder(folder_, study, program), folder_ / "evaluations.jsonl")) {
+  take_output_folder(folder_, FolderKind::study);
   make_folder(folder_ / "evaluations");
-  if (!log_.repair_note().empty()) notes_.push_back(log_.repair_note());
+  for (const std::string& repair : log_.repairs()) notes_.push_back(repair);
+  if (!log_.checksum_note().empty()) notes_.push_back(log_.checksum_note());
   unfinished_ = find_unfinished(folder_ / "evaluations", log_);
 }
 
 void StudyFolder::begin(const BegunWith& with) {
   const std::filesystem::path file = folder_ / "study.json";
-  Json state = designs::read_json(file);
+  checksums_.emplace(folder_);
+  for (const std::string& name : checksums_->damaged()) notes_.push_back(checksums_->note(name));
+  checksums_->begin();
+  Json state = designs::parse_json(read_own_file(file), file.string());
   Json& begun = state["begun_with"];
   if (!begun.is_object()) {
     begun = {{"jobs", with.jobs}, {"max_evaluations", with.max_evaluations}};
@@ -148,12 +170,27 @@ void StudyFolder::store(const EvaluationRecord& record, const Json& report) {
   log_.append(record);
 }
 
+void StudyFolder::store(RefusedDesign refused) {
+  if (log_.refused().size() < most_refused_designs) log_.append(std::move(refused));
+}
+
+void StudyFolder::close() const {
+  if (checksums_) checksums_->write();
+}
+
+void StudyFolder::close_after(const EvaluationRecord& record) const {
+  std::set<std::string> files{"study.json", "evaluations/" + record.id + ".json"};
+  for (const ScenarioRecord& scenario : record.scenarios) {
+    files.insert("evaluations/" + file_name_of(record.id, scenario.name));
+  }
+  update_checksums(folder_, files);
+}
+
 void StudyFolder::store_simulation(const std::string& id, const designs::Design& design,
                                    double spacing, const designs::Scenario& scenario,
-                                   std::size_t event, const Simulation& simulation,
-                                   const Json& provenance) const {
+                                   const Simulation& simulation, const Json& provenance) const {
   write_file_atomically(
-      folder_ / "evaluations" / file_name_of(id, scenario.name, event),
+      folder_ / "evaluations" / file_name_of(id, scenario.name),
       json_text(simulation_report(design, spacing, &scenario, simulation, provenance)));
 }
 

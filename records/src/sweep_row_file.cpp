@@ -38,7 +38,7 @@ std::optional<SweepRowResult> read_finished_row(const std::filesystem::path& fol
                                                 const ProgramInfo& program) {
   const std::filesystem::path file = folder / (row.id + ".json");
   if (!std::filesystem::exists(file)) return std::nullopt;
-  const Json json = designs::read_json(file);
+  const Json json = designs::parse_json(read_own_file(file), file.string());
   const std::string hash = case_hash(row.spec);
   try {
     const auto found = json.at("/provenance/spec_hash"_json_pointer).get<std::string>();

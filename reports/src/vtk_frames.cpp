@@ -4,7 +4,6 @@
 
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <numeric>
@@ -15,6 +14,7 @@
 
 #include "base64.hpp"
 #include "parapet/records/atomic_file.hpp"
+#include "parapet/records/file_name.hpp"
 
 namespace parapet::reports {
 namespace {
@@ -110,21 +110,11 @@ void check(const solver::Frame& frame) {
   }
 }
 
-/// Safe as a file name and inside XML.
-std::string safe_stem(const std::string& name) {
-  std::string stem = name;
-  for (char& c : stem) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-    if (!plain && c != '-' && c != '_' && c != '.') c = '_';
-  }
-  return stem;
-}
-
 }  // namespace
 
 FrameWriter::FrameWriter(std::filesystem::path directory, const std::string& case_name)
-    : directory_(std::move(directory)), stem_(safe_stem(case_name)) {
-  if (stem_.empty()) throw std::invalid_argument("frames need a case name");
+    : directory_(std::move(directory)), stem_(records::file_name(case_name)) {
+  if (case_name.empty()) throw std::invalid_argument("frames need a case name");
   records::make_folder(directory_);
   collection_ = directory_ / (stem_ + ".pvd");
 }

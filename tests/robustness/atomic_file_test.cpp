@@ -2,6 +2,7 @@
 #include "parapet/records/atomic_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "program_runner.hpp"
 
@@ -44,6 +45,25 @@ TEST(AtomicFile, MissingFolderIsNamed) {
   EXPECT_PRED_FORMAT2(IsSubstring, "No such file or directory", refusal([&] {
                         records::write_file_atomically(folder / "no/where", "text");
                       }));
+}
+
+TEST(AtomicFile, LinkIsNeitherFollowedNorReplaced) {
+  const TemporaryFolder folder;
+  folder.write("victim", "text");
+  std::filesystem::create_symlink("victim", folder / "a");
+  EXPECT_PRED_FORMAT2(IsSubstring, "is a link",
+                      refusal([&] { records::write_file_atomically(folder / "a", "new"); }));
+  EXPECT_PRED_FORMAT2(IsSubstring, "is a link",
+                      refusal([&] { records::read_own_file(folder / "a"); }));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "a"));
+  EXPECT_EQ(file_text(folder / "victim"), "text");
+}
+
+TEST(AtomicFile, PipeIsNoFileOfOurs) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_PRED_FORMAT2(IsSubstring, "not a regular file",
+                      refusal([&] { records::read_own_file(folder / "pipe"); }));
 }
 
 TEST(AtomicFile, FolderWhereAFileStandsIsRefused) {

@@ -57,7 +57,7 @@ TEST_F(Interruption, ControlCEndsInGoodOrderAndSaysHowToResume) {
     EXPECT_PRED_FORMAT2(IsSubstring, "the same command resumes", outcome.err);
     const Json summary = summary_of(out);
     EXPECT_EQ(summary["state"], "interrupted");
-    EXPECT_EQ(summary["evaluations"], line_count(log_of(out)));
+    EXPECT_EQ(summary["evaluations"], evaluations_in(log_of(out)));
     resume_and_compare(out);
   }
 }
@@ -75,7 +75,7 @@ TEST_F(Interruption, LargerBudgetContinuesTheStudy) {
   study["method"]["max_evaluations"] = 8;
   folder.write("study.json", study.dump());
   ASSERT_EQ(run_program(folder.path(), command("out")).exit_code, 0);
-  EXPECT_EQ(line_count(log_of("out")), 8U);
+  EXPECT_EQ(evaluations_in(log_of("out")), 8U);
   folder.write("study.json", tiny_study().dump());
   resume_and_compare("out");
 }

@@ -71,13 +71,14 @@ TEST(EvaluationLogFile, KeepsScenariosOptionsAndCosts) {
   record.cpu_time = 1.0 / 3.0;
   record.particle_steps = 1e7;
   record.stop_reason = "settled";
-  record.scenarios = {{"soft", 0.25, true, "", record.metrics, 0.5, 0.1, 4e6, "end_time"},
-                      {"stiff", 0.75, false, "it broke", {}, 0.0, 0.0, 0.0, ""}};
+  record.scenarios = {{"soft", 0.25, true, "", record.metrics, 0.5, 0.1, 4e6, "end_time", "00ff"},
+                      {"stiff", 0.75, false, "it broke", {}, 0.0, 0.0, 0.0, "", ""}};
   const auto json = records::to_json(record);
   const EvaluationRecord again = records::record_from_json(designs::Json::parse(json.dump()));
   EXPECT_EQ(records::to_json(again).dump(), json.dump());
   ASSERT_EQ(again.scenarios.size(), 2U);
   EXPECT_EQ(again.scenarios[0].metrics[1].absent_reason, "no \"overflow\"\n");
+  EXPECT_EQ(again.scenarios[0].case_hash, "00ff");
   EXPECT_EQ(again.scenarios[1].reason, "it broke");
   EXPECT_EQ(again.options.at("deflector"), "plate");
   EXPECT_EQ(again.stop_reason, "settled");
@@ -98,7 +99,7 @@ TEST(EvaluationLogFile, IsRepairedAfterACutAtAnyByteOfTheLastLine) {
     {
       EvaluationLog log(file);
       ASSERT_EQ(log.records().size(), only_line_end_missing ? 3U : 2U) << "cut at " << size;
-      EXPECT_EQ(log.repair_note().empty(), only_line_end_missing || nothing_begun) << size;
+      EXPECT_EQ(log.repairs().empty(), only_line_end_missing || nothing_begun) << size;
       if (!only_line_end_missing) log.append(sample(3));
     }
     ASSERT_EQ(file_text(file), whole) << "cut at " << size;
@@ -120,19 +121,83 @@ TEST(EvaluationLogFile, LastLineOfZerosIsCutOff) {
   EXPECT_EQ(file_text(folder / "log"), before);
 }
 
-TEST(EvaluationLogFile, DamageBeforeTheLastLineIsAnErrorThatChangesNothing) {
+// Every byte of a line, and of its checksum too.
+TEST(EvaluationLogFile, EveryChangedByteOfALineIsSeen) {
   const TemporaryFolder folder;
-  write_log(folder / "log", 3);
-  std::string text = file_text(folder / "log");
-  text[text.find('\n') + 5] = '\x07';
-  folder.write("log", text);
-  try {
-    const EvaluationLog log(folder / "log");
-    FAIL() << "accepted a damaged line";
-  } catch (const designs::InputError& error) {
-    EXPECT_PRED_FORMAT2(IsSubstring, "line 2", error.what());
+  write_log(folder / "whole", 3);
+  const std::string whole = file_text(folder / "whole");
+  const std::size_t begin = whole.find('\n') + 1, end = whole.find('\n', begin);
+  for (std::size_t place = begin; place < end; ++place) {
+    std::string text = whole;
+    text[place] = text[place] == '1' ? '2' : '1';
+    folder.write("log", text);
+    const records::LogContent content = records::read_evaluation_log(folder / "log");
+    ASSERT_EQ(content.damaged.size(), 1U) << "byte " << place - begin;
+    EXPECT_EQ(content.damaged[0].number, 2U);
+    ASSERT_EQ(content.records.size(), 2U);
+    EXPECT_EQ(content.records[1].id, "0003");
+    EXPECT_EQ(content.lines_without_checksum, 0U);
   }
-  EXPECT_EQ(file_text(folder / "log"), text);
+}
+
+TEST(EvaluationLogFile, DamagedLinesAreSetAsideAndTheLogGoesOn) {
+  const TemporaryFolder folder;
+  write_log(folder / "log", 4);
+  std::string text = file_text(folder / "log");
+  const std::size_t second = text.find('\n') + 1;
+  const std::string sound = text.substr(0, second), damaged = "?" + text.substr(second + 1);
+  folder.write("log", sound + damaged);
+  {
+    EvaluationLog log(folder / "log");
+    ASSERT_EQ(log.repairs().size(), 1U);
+    EXPECT_PRED_FORMAT2(IsSubstring, "line 2", log.repairs()[0]);
+    EXPECT_EQ(log.records().size(), 3U);
+    log.append(sample(2));
+  }
+  EXPECT_EQ(file_text(folder / "log.damaged"), damaged.substr(0, damaged.find('\n') + 1));
+  const EvaluationLog log(folder / "log");
+  EXPECT_TRUE(log.repairs().empty());
+  EXPECT_EQ(log.records().size(), 4U);
+}
+
+TEST(EvaluationLogFile, LinesWithoutAChecksumAreTakenWithANote) {
+  const TemporaryFolder folder;
+  folder.write("log", records::to_json(sample(1)).dump() + "\n");
+  EvaluationLog log(folder / "log");
+  EXPECT_EQ(log.records().size(), 1U);
+  EXPECT_PRED_FORMAT2(IsSubstring, "1 of its lines have no checksum", log.checksum_note());
+  log.append(sample(2));
+  const records::LogContent content = records::read_evaluation_log(folder / "log");
+  EXPECT_EQ(content.records.size(), 2U);
+  EXPECT_EQ(content.lines_without_checksum, 1U);
+}
+
+TEST(EvaluationLogFile, AnInvertedVerdictIsSeenEvenWithoutAChecksum) {
+  const TemporaryFolder folder;
+  for (const bool feasible : {true, false}) {
+    EvaluationRecord record = sample(1);
+    record.constraints[0].satisfied = !feasible;
+    record.feasible = feasible;
+    folder.write("log", records::to_json(record).dump() + "\n");
+    EXPECT_EQ(records::read_evaluation_log(folder / "log").damaged.size(), 1U);
+  }
+}
+
+TEST(EvaluationLogFile, RefusedDesignsStandThereOnceAndAreNoRecords) {
+  const TemporaryFolder folder;
+  for (int time = 0; time < 2; ++time) {
+    EvaluationLog log(folder / "log");
+    for (int k = 1; k <= 3; ++k) {
+      records::RefusedDesign refused;
+      refused.design = {{"angle_deg", 1.0 * k}};
+      refused.reason = "violates stem";
+      log.append(refused);
+    }
+    EXPECT_TRUE(log.records().empty());
+    ASSERT_EQ(log.refused().size(), 3U);
+    EXPECT_EQ(log.refused()[2].id, "refused-0003");
+  }
+  EXPECT_EQ(line_count(folder / "log"), 3U);
 }
 
 TEST(EvaluationLogFile, RepeatedIdIsAnError) {

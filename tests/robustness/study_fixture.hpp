@@ -30,7 +30,10 @@ class StudyTest : public ::testing::Test {
   TemporaryFolder folder;
 };
 
-/// Records by id, without measured times.
+/// Lines of a log that are no refused designs.
+std::size_t evaluations_in(const std::filesystem::path& log);
+
+/// Lines by id, without measured times and checksums.
 std::map<std::string, designs::Json> records_in(const std::filesystem::path& log);
 
 }  // namespace parapet::test

@@ -69,6 +69,7 @@ std::vector<double> violations(const std::vector<LimitedValue>& limited) {
 ConstraintRecord record(const Constraint& constraint, const std::vector<LimitedValue>& limited) {
   ConstraintRecord result;
   result.name = constraint.name;
+  result.tolerance = feasibility_tolerance * constraint.scale;
   const auto g = violations(limited);
   result.satisfied =
       std::all_of(g.begin(), g.end(), [](double v) { return v <= feasibility_tolerance; });

@@ -60,6 +60,22 @@ optimizer::Evaluation BlockingEvaluator::answer(const designs::Design& design,
   return scalarizer(*record);
 }
 
+void BlockingEvaluator::refused(const std::vector<double>& x) {
+  const std::scoped_lock lock(mutex_);
+  if (refused_.size() < records::most_refused_designs) {
+    refused_.push_back(to_design(context_.study, x));
+  }
+}
+
+void BlockingEvaluator::log_refused() {
+  std::vector<designs::Design> designs;
+  {
+    const std::scoped_lock lock(mutex_);
+    designs.swap(refused_);
+  }
+  for (designs::Design& design : designs) store_refused(context_, std::move(design));
+}
+
 std::vector<records::EvaluationRecord> BlockingEvaluator::records() const {
   std::vector<records::EvaluationRecord> records;
   for (const designs::Design& design : asked_) {

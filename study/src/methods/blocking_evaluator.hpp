@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,13 @@ class BlockingEvaluator {
                                               const std::string& stage,
                                               const Scalarizer& scalarizer);
 
+  /// The optimizer's cheap constraints refused a point. Called on the optimizer's thread.
+  void refused(const std::vector<double>& x);
+
+  /// Writes the points refused so far into the log. Called on the study's thread.
+  /// @throws records::FileError
+  void log_refused();
+
   /// Whether no further question will be answered.
   bool stopped() const { return handover_.stopped() || context_.cancelled(); }
 
@@ -46,6 +54,8 @@ class BlockingEvaluator {
 
   const StudyContext& context_;
   Handover& handover_;
+  std::mutex mutex_;                      // guards refused_
+  std::vector<designs::Design> refused_;  // not in the log yet
   std::vector<designs::Design> asked_;
   std::map<designs::Design, std::optional<records::EvaluationRecord>> known_;  // of those asked
 };

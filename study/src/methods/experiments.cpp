@@ -9,6 +9,7 @@
 #include <set>
 
 #include "parapet/optimizer/sobol.hpp"
+#include "parapet/records/study_folder.hpp"
 #include "parapet/study/bayesian_problem.hpp"
 #include "parapet/study/problem.hpp"
 #include "parapet/study/scoring.hpp"
@@ -45,6 +46,9 @@ class Layout {
       result_.designs.push_back(design);
     } else {
       ++result_.refused;
+      if (result_.refused_designs.size() < records::most_refused_designs) {
+        result_.refused_designs.push_back(design);
+      }
     }
   }
 

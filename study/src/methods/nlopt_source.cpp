@@ -31,6 +31,7 @@ void NloptSource::stop() {
 
 std::vector<Proposal> NloptSource::next() {
   std::vector<Proposal> batch = handover_.take();
+  evaluator_.log_refused();
   if (!batch.empty()) {
     proposed_ += batch_;
     batch_ = batch.size();
@@ -44,6 +45,7 @@ void NloptSource::answered(std::size_t number, const records::EvaluationRecord& 
 
 optimizer::OptimizeResult NloptSource::finish() {
   stop();
+  evaluator_.log_refused();
   if (failure_) std::rethrow_exception(failure_);
   return result_;
 }
@@ -60,6 +62,7 @@ optimizer::OptimizeResult optimize_weighted_sum(const designs::StudySpec& study,
   };
   optimizer::Options options = make_options(study);
   options.cancelled = [&] { return evaluator.stopped(); };
+  options.on_refused = [&](const std::vector<double>& x) { evaluator.refused(x); };
   return optimizer::optimize(problem, options);
 }
 

@@ -121,6 +121,7 @@ optimizer::OptimizeResult solve(const designs::StudySpec& study, BlockingEvaluat
   options.cancelled = [&, most_asked] {
     return evaluator.stopped() || evaluator.asked() >= most_asked;
   };
+  options.on_refused = [&](const std::vector<double>& x) { evaluator.refused(x); };
   return optimizer::optimize(problem, options);
 }
 

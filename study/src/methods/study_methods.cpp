@@ -9,6 +9,7 @@
 #include "evaluation_pool.hpp"
 #include "experiment_source.hpp"
 #include "nlopt_source.hpp"
+#include "parapet/study/scoring.hpp"
 #include "scalarized.hpp"
 
 namespace parapet::study {
@@ -95,8 +96,19 @@ AnswerOrder answer_order(const designs::Method& method, int jobs) {
   return jobs <= 1 ? AnswerOrder::by_log : AnswerOrder::as_they_come;
 }
 
+/// The search itself proposes only designs that are allowed.
+void log_refused_starts(const StudyContext& context) {
+  for (const designs::Design& start : context.study.method.starts) {
+    const auto g = expression_violations(context.study, start);
+    const bool refused =
+        std::any_of(g.begin(), g.end(), [](double v) { return v > feasibility_tolerance; });
+    if (refused) store_refused(context, start);
+  }
+}
+
 StudySummary search_bayesian(const StudyContext& context, OutputWriter& writer) {
   const designs::Method& method = context.study.method;
+  log_refused_starts(context);
   const SearchProblem problem = make_search_problem(context.study);
   bayesian::SearchOptions options = make_search_options(context.study);
   const records::BegunWith begun = context.folder.begun_with();
@@ -120,6 +132,7 @@ StudySummary search_experiments(const StudyContext& context) {
   Experiments experiments = lay_out_experiments(context.study);
   const std::size_t count = experiments.designs.size();
   const int refused = experiments.refused;
+  for (const designs::Design& design : experiments.refused_designs) store_refused(context, design);
   if (count == 0) {
     StudySummary summary =
         ended(StudyState::failed, optimizer::to_string(Termination::no_feasible_start),

@@ -1,16 +1,18 @@
 #include "companion_file.hpp"
 
-#include <fstream>
+#include "parapet/records/atomic_file.hpp"
 
 namespace parapet::study {
 
 using designs::Json;
 
 Json read_quietly(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) return nullptr;
-  Json json = Json::parse(in, nullptr, false);
-  return json.is_object() ? json : Json();
+  try {
+    Json json = Json::parse(records::read_own_file(file), nullptr, false);
+    return json.is_object() ? json : Json();
+  } catch (const records::FileError&) {
+    return nullptr;
+  }
 }
 
 Json read_companion(const std::filesystem::path& file, const char* format,

@@ -5,6 +5,11 @@
 #include <algorithm>
 
 #include "companion_file.hpp"
+#include "parapet/designs/text.hpp"
+#include "parapet/records/atomic_file.hpp"
+#include "parapet/records/checksum_list.hpp"
+#include "parapet/records/output_folder.hpp"
+#include "parapet/records/study_folder.hpp"
 #include "parapet/study/scoring.hpp"
 
 namespace parapet::study {
@@ -14,8 +19,6 @@ using designs::InputError;
 using designs::Json;
 using records::EvaluationRecord;
 
-constexpr const char* state_format = "parapet-study-state/1";
-
 Json read_state(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
     throw InputError({{.file = file.string(),
@@ -24,14 +27,14 @@ Json read_state(const std::filesystem::path& file) {
                        .problem = "the file is missing",
                        .allowed = "a study folder, as `parapet optimize` writes it"}});
   }
-  Json state = designs::read_json(file);
-  const Json format = state.is_object() ? state.value("format", Json()) : Json();
-  if (format != state_format) {
+  Json state = designs::parse_json(records::read_own_file(file), file.string());
+  if (!records::is_study_state(state)) {
+    const Json format = state.is_object() ? state.value("format", Json()) : Json();
     throw InputError({{.file = file.string(),
                        .pointer = "/format",
                        .value = format.is_null() ? "" : format.dump(),
                        .problem = "this is not a study's state",
-                       .allowed = fmt::format("\"{}\"", state_format)}});
+                       .allowed = fmt::format("\"{}\"", records::study_state_format)}});
   }
   return state;
 }
@@ -62,6 +65,22 @@ std::string misfit(const designs::StudySpec& spec, const EvaluationRecord& recor
   return same_constraints ? "" : "its constraints are not those of the spec";
 }
 
+/// Whether a file is written by parapet recommend: it is written again, so its damage matters to
+/// nobody.
+bool is_advice(const std::string& name) {
+  return name.ends_with(".png") || name.starts_with("recommendation.") ||
+         name == "sensitivity.json";
+}
+
+void add_damage(LoadedStudy& study, const records::LogContent& content,
+                const std::filesystem::path& file) {
+  for (const records::DamagedLine& line : content.damaged) {
+    study.damage.push_back(to_string(line, file) + "; it is left out");
+  }
+  const std::string note = checksum_note(content, file);
+  if (!note.empty()) study.notes.push_back(note);
+}
+
 void read_designs(LoadedStudy& study) {
   const std::filesystem::path file = study.folder / "evaluations.jsonl";
   const auto refuse = [&](const std::string& value, const std::string& problem,
@@ -74,6 +93,7 @@ void read_designs(LoadedStudy& study) {
   records::LogContent content = records::read_evaluation_log(file);
   study.designs = std::move(content.records);
   study.log_complete = !content.incomplete_last_line;
+  add_damage(study, content, file);
   if (study.designs.empty()) {
     refuse("", "no design has been evaluated yet", "at least one complete line");
   }
@@ -146,17 +166,28 @@ std::vector<EvaluationRecord> load_confirmations(const std::filesystem::path& fo
 
 LoadedStudy load_study_folder(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "study.json";
+  records::refuse_links(folder);
   const Json state = read_state(file);
   LoadedStudy study{
       .folder = folder,
-      .spec = designs::parse_study(state.value("spec", Json()), file.string() + " /spec"),
+      .spec = designs::parse_study(designs::with_visible_texts(state.value("spec", Json())),
+                                   file.string() + " /spec"),
       .spec_hash = state.value("spec_hash", ""),
       .provenance = state.value("provenance", Json()),
       .state = read_run_state(folder / "summary.json"),
       .designs = {}};
   read_designs(study);
-  study.confirmations = load_confirmations(folder);
-  study.front = read_front(study);
+  if (const auto log = folder / "confirmations.jsonl"; std::filesystem::exists(log)) {
+    records::LogContent content = records::read_evaluation_log(log);
+    add_damage(study, content, log);
+    study.confirmations = std::move(content.records);
+  }
+  const records::ChecksumList checksums(folder);
+  for (const std::string& name : checksums.damaged()) {
+    if (!is_advice(name)) study.damage.push_back(checksums.note(name));
+  }
+  const bool front_is_sound = std::ranges::count(checksums.damaged(), "pareto.json") == 0;
+  if (front_is_sound) study.front = read_front(study);
   study.sensitivity = read_sensitivity(folder / "sensitivity.json", study.spec_hash);
   study.unsettled = unsettled_designs(study);
   return study;

@@ -123,6 +123,7 @@ class Confirmation {
     EvaluationRecord record = open.run.record();
     record.id = open.plan->id;
     record.stage = open.plan->stage;
+    records::set_program(record, options_.program);
     log_.append(record);
     ++stored_;
     if (options_.hooks.on_evaluated) options_.hooks.on_evaluated(record, false);
@@ -193,8 +194,8 @@ ConfirmOutcome confirm_picks(const designs::StudySpec& study, const std::vector<
     return outcome;
   }
   records::EvaluationLog log(options.folder / "confirmations.jsonl");
-  if (!log.repair_note().empty() && options.hooks.on_message) {
-    options.hooks.on_message(log.repair_note());
+  for (const std::string& repair : log.repairs()) {
+    if (options.hooks.on_message) options.hooks.on_message(repair);
   }
   const auto service = options.service(options.jobs, service_hooks(options.hooks));
   for (const Pick& pick : picks) {

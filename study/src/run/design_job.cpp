@@ -1,9 +1,23 @@
 #include <utility>
 
+#include "parapet/study/scoring.hpp"
 #include "parapet/study/simulator.hpp"
 #include "parapet/study/study_context.hpp"
 
 namespace parapet::study {
+
+void store_refused(const StudyContext& context, designs::Design design) {
+  records::RefusedDesign refused;
+  refused.options = designs::option_names(context.study, design);
+  refused.constraints = score_expressions(context.study, design);
+  for (const records::ConstraintRecord& constraint : refused.constraints) {
+    if (constraint.satisfied) continue;
+    refused.reason += (refused.reason.empty() ? "violates " : ", ") + constraint.name;
+  }
+  refused.design = std::move(design);
+  records::set_program(refused, context.program);
+  context.folder.store(std::move(refused));
+}
 
 DesignJob::DesignJob(const StudyContext& context, std::string id, std::string stage,
                      designs::Design design, double spacing)
@@ -43,7 +57,7 @@ void DesignJob::keep(std::size_t event, records::Simulation simulation) {
   run_.set(event, std::move(simulation));
   // Also what was known is written: the design may have another id now.
   if (const designs::Scenario* scenario = run_.scenario(event)) {
-    context_.folder.store_simulation(id_, run_.design(), run_.spacing(), *scenario, event,
+    context_.folder.store_simulation(id_, run_.design(), run_.spacing(), *scenario,
                                      run_.simulation(event).value(),
                                      records::study_provenance(context_.study, context_.program));
   }
@@ -54,6 +68,7 @@ records::EvaluationRecord DesignJob::store() const {
   records::EvaluationRecord record = run_.record();
   record.id = id_;
   record.stage = stage_;
+  records::set_program(record, context_.program);
   context_.folder.store(record, run_.report(context_.program));
   return record;
 }

@@ -62,7 +62,10 @@ records::EvaluationRecord DesignRun::record() const {
     record.wall_time += one.wall_time;
     record.cpu_time += one.cpu_time;
     record.particle_steps += one.particle_steps;
-    if (scenario(k) == nullptr) record.stop_reason = one.stop_reason;
+    if (scenario(k) == nullptr) {
+      record.stop_reason = one.stop_reason;
+      record.case_hash = one.case_hash;
+    }
     if (!one.ok && problem.empty()) {
       problem = scenario(k) == nullptr ? one.reason : "scenario " + one.name + ": " + one.reason;
     }

@@ -11,13 +11,15 @@ namespace parapet::study {
 namespace {
 
 /// The disk may be full, and then this does not work either: the exception itself says it all.
-void try_to_say_failed(OutputWriter& writer, const std::string& why) {
+void try_to_say_failed(OutputWriter& writer, const std::string& why,
+                       const records::StudyFolder& folder) {
   StudySummary summary;
   summary.state = StudyState::failed;
   summary.termination = optimizer::to_string(optimizer::Termination::failed);
   summary.message = why;
   try {
     writer.end(summary);
+    folder.close();
   } catch (const records::FileError&) {
   }
 }
@@ -29,10 +31,10 @@ StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& o
     throw designs::InputError(std::move(issues));
   }
   records::StudyFolder folder(options.folder, study, options.program);
+  folder.begin({.jobs = options.jobs, .max_evaluations = study.method.max_evaluations});
   if (options.hooks.on_message) {
     for (const std::string& note : folder.notes()) options.hooks.on_message(note);
   }
-  folder.begin({.jobs = options.jobs, .max_evaluations = study.method.max_evaluations});
   OutputWriter writer(study, folder, options.hooks);
   writer.record_added();
   Hooks hooks = options.hooks;
@@ -47,10 +49,12 @@ StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& o
                              .service = *service,
                              .hooks = hooks};
   try {
-    return search_study(context, writer);
+    StudySummary summary = search_study(context, writer);
+    folder.close();
+    return summary;
   } catch (const std::exception& error) {
     writer.detach();
-    try_to_say_failed(writer, error.what());
+    try_to_say_failed(writer, error.what(), folder);
     throw;
   }
 }

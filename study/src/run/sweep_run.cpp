@@ -6,8 +6,11 @@
 #include <mutex>
 
 #include "parapet/records/atomic_file.hpp"
+#include "parapet/records/checksum_list.hpp"
+#include "parapet/records/file_name.hpp"
 #include "parapet/records/folder_lock.hpp"
 #include "parapet/records/hashes.hpp"
+#include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
 #include "parapet/records/sweep_row_file.hpp"
 #include "parapet/study/side_by_side.hpp"
@@ -55,15 +58,23 @@ class SweepRun {
 
   SweepOutcome run() {
     check_ids(sweep_, options_.only);
-    records::make_folder(options_.folder);
+    records::open_output_folder(options_.folder, records::FolderKind::sweep);
     const records::FolderLock lock(options_.folder);
+    refuse_other_rows();
     find_finished();
+    records::take_output_folder(options_.folder, records::FolderKind::sweep);
     records::make_folder(rows_folder_);
+    records::ChecksumList checksums(options_.folder);
+    for (const std::string& name : checksums.damaged()) {
+      if (options_.hooks.on_message) options_.hooks.on_message(checksums.note(name));
+    }
+    checksums.begin();
     write_table();
     run_side_by_side(
         waiting_.size(), options_.jobs,
         [this](std::size_t k, int threads) { simulate(*waiting_[k], threads); },
         [this] { return stopped(); });
+    checksums.write();
     SweepOutcome outcome;
     outcome.interrupted = cancelled_;
     for (const designs::SweepRow& row : sweep_.rows) {
@@ -85,6 +96,24 @@ class SweepRun {
 
   bool stopped() const {
     return cancelled_ || (options_.hooks.cancelled && options_.hooks.cancelled());
+  }
+
+  /// A row that this sweep does not have would stand beside its results as if it had.
+  void refuse_other_rows() const {
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(rows_folder_, none)) {
+      const std::string id = entry.path().stem().string();
+      const bool ours = std::any_of(sweep_.rows.begin(), sweep_.rows.end(),
+                                    [&](const auto& row) { return row.id == id; });
+      if (ours || entry.path().extension() != ".json") continue;
+      throw designs::InputError(
+          {{.file = entry.path().string(),
+            .pointer = "",
+            .value = "",
+            .problem = "is a row that the sweep " + sweep_.name + " does not have",
+            .allowed = "rows of this sweep; remove the file, or choose another "
+                       "folder with --out"}});
+    }
   }
 
   void find_finished() {
@@ -134,7 +163,7 @@ class SweepRun {
     const designs::Json provenance =
         records::provenance_json(options_.program, designs::spec_hash(sweep_.resolved));
     records::write_file_atomically(
-        options_.folder / (sweep_.name + ".json"),
+        options_.folder / sweep_table_file(sweep_),
         records::json_text(sweep_json(sweep_.name, sweep_.source,
                                       sweep_.rows.front().spec.numerics.spacing, rows,
                                       provenance)));
@@ -150,6 +179,10 @@ class SweepRun {
 };
 
 }  // namespace
+
+std::string sweep_table_file(const designs::SweepSpec& sweep) {
+  return records::file_name(sweep.name) + ".json";
+}
 
 SweepOutcome run_sweep(const designs::SweepSpec& sweep, const SweepRunOptions& options) {
   return SweepRun(sweep, options).run();

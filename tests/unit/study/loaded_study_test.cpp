@@ -89,10 +89,22 @@ TEST_F(StudyOnDisk, AHalfWrittenLastLineIsPassedOverAndLeftAlone) {
   EXPECT_EQ(std::filesystem::file_size(folder / "evaluations.jsonl"), text.size());
 }
 
-TEST_F(StudyOnDisk, NamesADamagedLineInTheMiddle) {
+TEST_F(StudyOnDisk, NamesADamagedLineAndLeavesItOut) {
   write("evaluations.jsonl", line(record(1)) + "{\"id\": \"0002\", \n" + line(record(3)));
-  EXPECT_REFUSED("evaluations.jsonl");
-  EXPECT_REFUSED("line 2");
+  write("confirmations.jsonl", "nothing\n");
+  const study::LoadedStudy study = study::load_study_folder(folder);
+  ASSERT_EQ(study.designs.size(), 2U);
+  EXPECT_EQ(study.designs[1].id, "0003");
+  ASSERT_EQ(study.damage.size(), 2U);
+  EXPECT_NE(study.damage[0].find("evaluations.jsonl: line 2"), std::string::npos);
+  EXPECT_NE(study.damage[1].find("confirmations.jsonl: line 1"), std::string::npos);
+  EXPECT_EQ(study.notes.size(), 1U) << "the lines have no checksums";
+}
+
+TEST_F(StudyOnDisk, LinksAreNotFollowed) {
+  write("elsewhere.jsonl", line(record(1)));
+  std::filesystem::create_symlink(folder / "elsewhere.jsonl", folder / "evaluations.jsonl");
+  EXPECT_REFUSED("is a link");
 }
 
 TEST_F(StudyOnDisk, NamesWhatIsMissingOrNotOfThisStudy) {

@@ -24,6 +24,8 @@ struct Options {
   int start_count = 0;                      ///< further Sobol' points
   double feasibility_tolerance = 1e-9;      ///< on scaled constraints, the same for every method
   std::function<bool()> cancelled;          ///< polled between evaluations
+  /// Told each point that the cheap constraints refuse, also more than once. May be empty.
+  std::function<void(const std::vector<double>& x)> on_refused = {};
 };
 
 /// Why a search ended.

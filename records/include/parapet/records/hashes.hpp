@@ -10,6 +10,9 @@ namespace parapet::records {
 /// Hash of everything in a case that decides its result: not its name, description or frames.
 std::string case_hash(const designs::CaseSpec& spec);
 
+/// The same of a resolved case as JSON.
+std::string case_hash(designs::Json resolved);
+
 /// Hash of everything in a study that decides what is evaluated and how it is judged: not its name
 /// or description, nor when it ends (max_evaluations, max_time_s and the like), so that a study can
 /// be continued with a larger budget; except where max_evaluations decides which designs are asked

@@ -8,6 +8,13 @@
 
 namespace parapet::records {
 
+/// Says in a record or refused design which program made it.
+template <typename Record>
+void set_program(Record& record, const ProgramInfo& program) {
+  record.program_version = program.version;
+  record.git_revision = program.git_revision;
+}
+
 /// Name and version of the compiler this library was built with.
 std::string compiler_name();
 

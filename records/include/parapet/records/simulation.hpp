@@ -41,7 +41,7 @@ designs::Json simulation_report(const designs::Design& design, double spacing,
                                 const designs::Scenario* scenario, const Simulation& simulation,
                                 const designs::Json& provenance);
 
-/// Reads such a file.
+/// Reads such a file; one whose checksum is wrong is refused.
 /// @throws std::runtime_error or nlohmann::json::exception saying what is wrong.
 StoredSimulation stored_simulation(const designs::Json& json);
 

@@ -10,12 +10,24 @@
 #include <vector>
 
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/records/checksum_list.hpp"
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/records/folder_lock.hpp"
 #include "parapet/records/provenance.hpp"
 #include "parapet/records/simulation.hpp"
 
 namespace parapet::records {
+
+/// What study.json says it is. The lines of the log beside it are of the same format. Version 1
+/// knew no refused designs; it is read and continued.
+constexpr const char* study_state_format = "parapet-study-state/2";
+constexpr const char* early_study_state_format = "parapet-study-state/1";
+
+/// Whether study.json is one that this program reads.
+bool is_study_state(const designs::Json& state);
+
+/// More refused designs are counted in summary.json and not logged.
+constexpr std::size_t most_refused_designs = 10000;
 
 /// A design that was stopped before all of its events were simulated.
 struct UnfinishedDesign {
@@ -37,8 +49,9 @@ class StudyFolder {
  public:
   /// Creates the folder, or opens it when it belongs to the same study (see study_hash).
   /// @param patience how long to wait for another writer
-  /// @throws designs::InputError when it belongs to another study, is being written to, or its log
-  ///         is damaged before its last line. Nothing is changed then.
+  /// @throws designs::InputError when it is not ours, belongs to another study or is being written
+  /// to.
+  ///         Nothing is changed then.
   /// @throws FileError
   StudyFolder(std::filesystem::path folder, const designs::StudySpec& study,
               const ProgramInfo& program, std::chrono::milliseconds patience = {});
@@ -46,7 +59,8 @@ class StudyFolder {
   /// The log of the study.
   const EvaluationLog& log() const { return log_; }
 
-  /// Notes in study.json what the search is begun with, unless it was begun before.
+  /// Notes in study.json what the search is begun with, unless it was begun before. Compares the
+  /// files with checksums.sha256 (see notes) and removes it until close().
   /// @throws FileError
   void begin(const BegunWith& with);
 
@@ -57,14 +71,26 @@ class StudyFolder {
   /// @throws FileError
   void store(const EvaluationRecord& record, const designs::Json& report);
 
+  /// Writes a refused design into the log, unless it stands there; no more than
+  /// most_refused_designs.
+  /// @throws FileError
+  void store(RefusedDesign refused);
+
+  /// Writes checksums.sha256: what was to be written has been.
+  /// @throws FileError
+  void close() const;
+
+  /// Enters the files of one evaluation into checksums.sha256 and leaves the rest as it is.
+  /// @throws FileError
+  void close_after(const EvaluationRecord& record) const;
+
   /// Writes evaluations/ID-SCENARIO.json, so that a stop does not lose it. May be called from
   /// several threads at once.
   /// @param spacing particle spacing [m]
-  /// @param event number of the scenario in the spec
   /// @throws FileError
   void store_simulation(const std::string& id, const designs::Design& design, double spacing,
-                        const designs::Scenario& scenario, std::size_t event,
-                        const Simulation& simulation, const designs::Json& provenance) const;
+                        const designs::Scenario& scenario, const Simulation& simulation,
+                        const designs::Json& provenance) const;
 
   /// Designs that an earlier run left behind incomplete, by id. Not changed by store().
   const std::vector<UnfinishedDesign>& unfinished() const { return unfinished_; }
@@ -84,7 +110,8 @@ class StudyFolder {
   /// The folder.
   const std::filesystem::path& path() const { return folder_; }
 
-  /// Sentences worth telling the user: a repaired log, another program version.
+  /// Sentences worth telling the user: a repaired log, another program version, and after begin()
+  /// files that were changed.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -93,6 +120,7 @@ class StudyFolder {
   std::vector<std::string> notes_;
   FolderLock lock_;
   EvaluationLog log_;
+  std::optional<ChecksumList> checksums_;  // of a search that was begun
   std::vector<UnfinishedDesign> unfinished_;
 };
 

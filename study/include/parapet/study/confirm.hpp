@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/records/provenance.hpp"
 #include "parapet/study/confirmation.hpp"
 #include "parapet/study/hooks.hpp"
 #include "parapet/study/local_service.hpp"
@@ -25,6 +26,7 @@ struct ConfirmOptions {
   std::optional<double> spacing;  ///< a further particle spacing, usually a finer one [m]
   int repeats = 2;                ///< near designs
   int jobs = 1;                   ///< simulations side by side
+  records::ProgramInfo program;
   Hooks hooks;
   /// A design's confirmation begins: so many runs, each of every event.
   std::function<void(const Pick& pick, std::size_t runs)> on_pick;

@@ -13,6 +13,7 @@ struct Experiments {
   std::vector<designs::Design> designs;  ///< each once; the first n_starts are the spec's
   std::size_t n_starts = 0;
   int refused = 0;  ///< designs that the constraints on formulas refuse
+  std::vector<designs::Design> refused_designs = {};  ///< the first of them, as many as are logged
 };
 
 /// The spec's starting designs, then

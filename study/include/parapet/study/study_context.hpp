@@ -26,6 +26,10 @@ struct StudyContext {
   bool cancelled() const { return hooks.cancelled && hooks.cancelled(); }
 };
 
+/// Writes a design that the constraints on formulas refuse into the log, unless it stands there.
+/// @throws records::FileError
+void store_refused(const StudyContext& context, designs::Design design);
+
 /// A design on its way into the log.
 class DesignJob {
  public:

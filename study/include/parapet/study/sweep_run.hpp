@@ -29,10 +29,15 @@ struct SweepOutcome {
   bool interrupted = false;
 };
 
+/// Name of the file with all rows: the sweep's, as a file name.
+std::string sweep_table_file(const designs::SweepSpec& sweep);
+
 /// Runs the rows, longest first, and writes rows/ID.json, rows/ID.csv (the series) and, with all
-/// rows finished so far, NAME.json. Rows that this version of the program finished before are kept.
+/// rows finished so far, sweep_table_file; checksums.sha256 last. Rows that this version of the
+/// program finished before are kept.
 /// @throws designs::InputError for an unknown id, a folder that is being written to or that holds
-///         rows of another spec (nothing is changed then); records::FileError.
+///         rows of another spec, or anything that is not a sweep's (nothing is changed then);
+///         records::FileError.
 SweepOutcome run_sweep(const designs::SweepSpec& sweep, const SweepRunOptions& options);
 
 }  // namespace parapet::study
