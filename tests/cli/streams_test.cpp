@@ -107,7 +107,6 @@ TEST_F(Streams, FullOutputIsExitCodeOneForEveryVerbThatPrints) {
       {"table3", "sweep.json", "--out", "rows"},
       {"check", "study.json", "case.json"},
       {"validate", "--list"},
-      {"validate", "plane_flows", "--quick", "--out", "pages"},
       {"--version"},
       {"--help"},
       {"optimize", "--help"}};
