@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                   {"cannot create the folder plain_file"}},
         WrongCall{"OutBelowAFile",
                   {"optimize", "study.json", "--out", "plain_file/deeper"},
-                  {"cannot create the folder plain_file/deeper"}},
+                  {"cannot create the folder plain_file:"}},
         WrongCall{"RecommendNowhere", {"recommend", "nowhere"}, {"nowhere", "study.json"}},
         WrongCall{"PictureTime",
                   {"simulate", "case.json", "--picture-times-s", "soon"},

@@ -165,7 +165,11 @@ TEST_F(FrameWriterTest, AFrameWithoutParticlesIsStillAFile) {
 TEST_F(FrameWriterTest, CaseNamesCannotEscapeTheFolder) {
   FrameWriter writer(folder_, "a/b \"c\" & d");
   writer.add(SmallFlow().frame(0.0));
-  EXPECT_EQ(writer.collection(), folder_ / "a_b__c____d.pvd");
+  // The hash keeps it apart from other names whose characters were replaced.
+  EXPECT_EQ(writer.collection().parent_path(), folder_);
+  const std::string file = writer.collection().filename().string();
+  EXPECT_TRUE(file.starts_with("a_b__c____d-")) << file;
+  EXPECT_EQ(file.size(), std::string("a_b__c____d-01234567.pvd").size()) << file;
   EXPECT_TRUE(well_formed(content(writer.collection())));
 }
 

@@ -37,7 +37,7 @@ TEST(PickRule, IsWrittenAsItIsRead) {
   EXPECT_EQ(command_line(parse_pick_rule("", "b=1,a=0.5", {})),
             " --rule weights --weights a=0.5,b=1");
   EXPECT_EQ(command_line(parse_pick_rule("", "", {"a<=0.1", "b>=2"})),
-            " --rule limits --limit \"a<=0.1\" --limit \"b>=2\"");
+            " --rule limits --limit 'a<=0.1' --limit 'b>=2'");
 }
 
 TEST(PickRule, NamesTheOptionThatIsWrong) {
