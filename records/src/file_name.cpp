@@ -11,7 +11,7 @@ std::string file_name_of_0_1_0(const std::string& name) {
                        c == '-' || c == '_' || c == '.';
     if (!plain) c = '_';
   }
-  if (text.starts_with('.')) text.insert(0, "_");
+  if (text.starts_with('.')) text.insert(text.begin(), '_');
   return text;
 }
 
