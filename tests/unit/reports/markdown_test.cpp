@@ -15,12 +15,12 @@ TEST(MarkdownText, LeavesPlainNamesAlone) {
 
 TEST(MarkdownText, EscapesWhatActs) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"<b>", "&lt;b&gt;"},       {"&lt;", "&amp;lt;"},
-      {"*a*", "\\*a\\*"},         {"_a_", "&#95;a&#95;"},
-      {"`a`", "\\`a\\`"},         {"[a](javascript:b)", "\\[a]&#40;javascript:b)"},
+      {"<b>", "&lt;b&gt;"},         {"&lt;", "&amp;lt;"},
+      {"*a*", "\\*a\\*"},           {"_a_", "&#95;a&#95;"},
+      {"`a`", "\\`a\\`"},           {"[a](javascript:b)", "\\[a]&#40;javascript:b)"},
       {"![a](b)", "!\\[a]&#40;b)"}, {"http://a", "http&#58;//a"},
-      {"www.a", "www&#46;a"},     {"~~a~~", "\\~\\~a\\~\\~"},
-      {"$a$", "\\$a\\$"},         {"a\\", "a\\\\"},
+      {"www.a", "www&#46;a"},       {"~~a~~", "\\~\\~a\\~\\~"},
+      {"$a$", "\\$a\\$"},           {"a\\", "a\\\\"},
       {"a\n# b", "a\\\\u000a# b"}};
   for (const auto& [text, safe] : cases) EXPECT_EQ(markdown_text(text), safe);
 }

@@ -14,8 +14,8 @@ namespace parapet::designs {
 /// the direction of writing.
 bool has_control_character(std::string_view text);
 
-/// The text with each such character written as \uXXXX, as JSON does, and each byte that is not of
-/// UTF-8 as \xNN. Safe for a terminal, and always one line.
+/// The text with each such character written as \\uXXXX, as JSON does, and each byte that is not of
+/// UTF-8 as \\xNN. Safe for a terminal, and always one line.
 std::string visible_text(std::string_view text);
 
 /// The same for a text of several lines: line ends stay.
