@@ -1,25 +1,48 @@
-// A line of a log is a record or says why not; a record survives the way through its line.
+// A line of a log is a record, a refused design, or says why not; each survives the way through its
+// line, and the checksum of a line that we wrote is right.
 #include <exception>
+#include <optional>
 
 #include "fuzz_input.hpp"
+#include "parapet/records/checksum.hpp"
 #include "parapet/records/evaluation_log.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace parapet;
-  records::EvaluationRecord record;
+namespace {
+
+using namespace parapet;
+
+/// The JSON of what a line holds, or nothing.
+template <typename Read>
+std::optional<designs::Json> read_line(const std::string& line, Read read) {
   try {
-    record = records::record_from_json(designs::Json::parse(data, data + size));
+    return records::to_json(read(designs::Json::parse(line)));
   } catch (const std::exception& error) {
     fuzz::require(error.what()[0] != '\0', "a line that is no record says why");
-    return 0;
+    return std::nullopt;
   }
+}
+
+template <typename Read>
+void try_line(const std::string& text, Read read) {
+  const auto held = read_line(text, read);
+  if (!held) return;
   std::string line;
   try {
-    line = records::to_json(record).dump();
+    line = records::line_with_checksum(*held);
   } catch (const designs::Json::type_error&) {
-    return 0;  // texts that are no UTF-8: they cannot have come from a log
+    return;  // texts that are no UTF-8: they cannot have come from a log
   }
-  const auto again = records::record_from_json(designs::Json::parse(line));
-  fuzz::require(records::to_json(again).dump() == line, "a record survives its line");
+  fuzz::require(records::check_line(line) == records::LineChecksum::right, "the checksum is right");
+  const auto again = read_line(line, read);
+  fuzz::require(again && again->dump() == held->dump(), "a record survives its line");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = fuzz::text_of(data, size);
+  records::check_line(text);
+  try_line(text, records::record_from_json);
+  try_line(text, records::refused_from_json);
   return 0;
 }
