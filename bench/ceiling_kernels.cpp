@@ -117,7 +117,7 @@ Vector gather(const double* values, const std::int32_t* index) {
 
 double gather_sum(const double* values, const std::int32_t* index, std::size_t n) {
   Vector a = {}, b = {};
-  for (std::size_t k = 0; k < n; k += 2 * width) {
+  for (std::size_t k = 0; k < n; k += 2UL * width) {
     a += gather(values, index + k);
     b += gather(values, index + k + width);
   }

@@ -88,8 +88,8 @@ void add_all(const CeilingKernels& k) {
   add_arithmetic(k);
   add_bandwidth(k, "16_kB", 16);
   add_bandwidth(k, "256_kB", 256);
-  add_bandwidth(k, "4_MB", 4 * 1024);
-  add_bandwidth(k, "256_MB", 256 * 1024);
+  add_bandwidth(k, "4_MB", 4UL * 1024);
+  add_bandwidth(k, "256_MB", 256UL * 1024);
   add_gather(k, "2400", 2400);
   add_gather(k, "60000", 60000);
 }

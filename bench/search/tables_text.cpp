@@ -85,7 +85,7 @@ std::string evaluations_table(const Comparison& comparison) {
     if (s.method == "bayesian_levels") continue;  // its evaluations are not all of one cost
     std::vector<std::string> row = {s.label};
     for (const double e : s.evaluations) row.push_back(target_text(e, s.budget));
-    for (const std::size_t e : {50, 100, 300}) row.push_back(share_text(s, e));
+    for (const std::size_t e : {50UL, 100UL, 300UL}) row.push_back(share_text(s, e));
     rows.push_back(row);
   }
   return markdown_table(rows);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "session.hpp"
 
@@ -24,7 +24,7 @@ int execute_validation(const Session& session) {
   session.log->error(
       "cannot start {} ({}): build it with \"./parapet validate\" or with \"cmake --build FOLDER "
       "--target parapet_validate\"",
-      program.string(), std::strerror(errno));
+      program.string(), std::generic_category().message(errno));
   return exit_failed;
 }
 

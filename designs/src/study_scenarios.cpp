@@ -105,10 +105,9 @@ class EventReader {
     for (const std::string& place : places) {
       for (const auto& [varied, by] : varied_) {
         if (place != varied && !place.starts_with(varied + "/")) continue;
-        findings_.add(
-            pointer,
-            (key == released_volume ? "needs " : "sets ") + place + ", which " + by + " changes",
-            "a place that no variable changes");
+        std::string problem = key == released_volume ? "needs " : "sets ";
+        problem.append(place).append(", which ").append(by).append(" changes");
+        findings_.add(pointer, problem, "a place that no variable changes");
         return false;
       }
     }

@@ -46,7 +46,7 @@ std::string last_key(const std::string& pointer) {
   while (!rest.empty()) {
     const std::size_t slash = rest.rfind('/');
     if (slash == std::string::npos) return rest;
-    const std::string token = rest.substr(slash + 1);
+    std::string token = rest.substr(slash + 1);
     if (token.find_first_not_of("0123456789") != std::string::npos) return token;
     rest.erase(slash);
   }

@@ -10,7 +10,7 @@
 namespace parapet::optimizer {
 namespace {
 
-AlgorithmEntry local(std::string name, int per_variable, int points, int min_variables,
+AlgorithmEntry local(const std::string& name, int per_variable, int points, int min_variables,
                      std::string note) {
   return {.info = {.name = name, .note = std::move(note)},
           .nlopt_name = "LN_" + name,
@@ -20,7 +20,7 @@ AlgorithmEntry local(std::string name, int per_variable, int points, int min_var
           .points = points};
 }
 
-AlgorithmEntry global(std::string name, bool randomized, int per_variable, int points,
+AlgorithmEntry global(const std::string& name, bool randomized, int per_variable, int points,
                       std::string note) {
   return {.info = {.name = name, .global = true, .randomized = randomized, .note = std::move(note)},
           .nlopt_name = "GN_" + name,

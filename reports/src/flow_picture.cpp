@@ -28,8 +28,9 @@ struct Layout {
   PixelBox color_bar;
 
   PixelBox panel(int index) const {
-    return {left + (index % columns) * (panel_width + gap),
-            top + (index / columns) * (panel_height + gap), panel_width, panel_height};
+    const int row = index / columns, column = index % columns;
+    return {left + column * (panel_width + gap), top + row * (panel_height + gap), panel_width,
+            panel_height};
   }
   double right() const { return left + columns * panel_width + (columns - 1) * gap; }
   double bottom() const { return top + rows * panel_height + (rows - 1) * gap; }

@@ -51,7 +51,7 @@ inline Vector no_constraints(const Vector&) {
 }
 
 /// One objective: every minimum of it.
-inline std::function<std::vector<Vector>(std::size_t)> minima(std::vector<Vector> all) {
+inline std::function<std::vector<Vector>(std::size_t)> minima(const std::vector<Vector>& all) {
   return [all](std::size_t n) {
     return std::vector<Vector>(all.begin(),
                                all.begin() + static_cast<std::ptrdiff_t>(std::min(n, all.size())));

@@ -17,7 +17,7 @@ double coverage(int n_draws, Eigen::Index n, bool parameters_known) {
   const LevelParameters truth = level_parameters({0.4, 0.8}, 1.0, 0.1, 0.0);
   int covered = 0;
   for (int draw = 0; draw < n_draws; ++draw) {
-    const auto seed = static_cast<std::uint64_t>(10 * draw);
+    const std::uint64_t seed = 10 * static_cast<std::uint64_t>(draw);
     const Eigen::MatrixXd x = unit_points(static_cast<int>(n) + 1, 2, seed + 1);
     const Eigen::VectorXd f = draw_process(layout, truth, x, seed + 2);
     const Data data{x.topRows(n), f.head(n) + 0.1 * normals(n, seed + 3), {}};

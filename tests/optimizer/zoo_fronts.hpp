@@ -43,8 +43,8 @@ inline std::vector<Vector> thinned(const std::vector<Vector>& all, std::size_t n
   if (all.size() <= n) return all;
   std::vector<Vector> kept;
   for (std::size_t k = 0; k < n; ++k) {
-    kept.push_back(all[static_cast<std::size_t>(
-        spread(0.0, static_cast<double>(all.size() - 1), k, n) + 0.5)]);
+    const double place = spread(0.0, static_cast<double>(all.size() - 1), k, n);
+    kept.push_back(all[static_cast<std::size_t>(std::lround(place))]);
   }
   return kept;
 }

@@ -14,7 +14,7 @@ namespace {
 /// log of the integral of Phi over an interval of width w around t by the midpoint rule with its
 /// second-order term, for a width that is small against 1 and 1 / |t|.
 double log_thin_side(double t, double w) {
-  double slope;  // Phi''(t) / Phi(t) = -t phi(t) / Phi(t)
+  double slope = 0.0;  // Phi''(t) / Phi(t) = -t phi(t) / Phi(t)
   if (t > -1.0) {
     slope = -t * math::inverse_sqrt_two_pi * std::exp(-0.5 * t * t - math::log_normal_cdf(t));
   } else {
