@@ -42,6 +42,12 @@ void add_spacing(CLI::App& app, CommonOptions& options) {
       ->type_name("X");
 }
 
+void add_mix_revisions(CLI::App& app, CommonOptions& options) {
+  app.add_flag("--mix-revisions", options.mix_revisions,
+               "Continue a study whose designs were simulated with other physics: their numbers do "
+               "not compare");
+}
+
 void add_jobs(CLI::App& app, CommonOptions& options, const std::string& what) {
   app.add_option("-j,--jobs", options.jobs, what + " (default: the number of cores)")
       ->check(CLI::Range(1, 1024))

@@ -30,6 +30,11 @@ std::pair<std::string, std::string> design_source(const std::string& argument) {
   }
   if (argument.starts_with('@')) {
     const std::string file = argument.substr(1);
+    if (!std::filesystem::exists(file)) {
+      throw designs::InputError(
+          {{"--design", "", argument, "cannot read " + file + ": there is no such file",
+            "a JSON file"}});
+    }
     return {records::read_file(file), file};
   }
   return {argument, "--design"};
@@ -50,7 +55,8 @@ std::optional<EvaluationRecord> find_logged(const Session& session, const Evalua
                                             const designs::StudySpec& study,
                                             const designs::Design& design) {
   if (options.log_folder.empty()) return std::nullopt;
-  const records::StudyFolder folder(options.log_folder, study, session.program, log_patience);
+  const records::StudyFolder folder(options.log_folder, study, session.program,
+                                    {log_patience, options.mix_revisions});
   for (const std::string& note : folder.notes()) session.log->warn("{}", note);
   const EvaluationRecord* known = folder.log().find(design, designs::finest_spacing(study));
   return known == nullptr ? std::nullopt : std::optional(*known);
@@ -64,7 +70,8 @@ EvaluationRecord store(const Session& session, const EvaluateOptions& options,
   record.stage = "external";
   records::set_program(record, session.program);
   if (options.log_folder.empty()) return record;
-  records::StudyFolder folder(options.log_folder, study, session.program, log_patience);
+  records::StudyFolder folder(options.log_folder, study, session.program,
+                              {log_patience, options.mix_revisions});
   if (const auto* known = folder.log().find(record.design, record.spacing)) return *known;
   int number = static_cast<int>(folder.log().records().size()) + 1;
   while (!folder.id_is_free(records::evaluation_id(number), record.design, record.spacing)) {
@@ -123,6 +130,7 @@ void add_evaluate(CLI::App& app, Session& session) {
   verb->add_option("--log", options->log_folder,
                    "Study folder whose log answers for designs it holds and takes new ones")
       ->type_name("DIR");
+  add_mix_revisions(*verb, *options);
   add_spacing(*verb, *options);
   add_jobs(*verb, *options,
            "Scenarios simulated side by side; where there are fewer, threads of each");

@@ -96,6 +96,7 @@ study::StudySummary run_with_progress(const Session& session, const OptimizeOpti
   run.folder = folder;
   run.jobs = options.jobs;
   run.program = session.program;
+  run.mix_physics = options.mix_revisions;
   run.hooks = progress.hooks();
   return study::run_study(study, run);
 }
@@ -163,6 +164,7 @@ void add_optimize(CLI::App& app, Session& session) {
   add_out(*verb, *options, "runs/NAME-optimize");
   add_spacing(*verb, *options);
   add_jobs(*verb, *options, "Simulations side by side");
+  add_mix_revisions(*verb, *options);
   verb->footer(
       R"(Writes study.json, evaluations.jsonl (one line per design), evaluations/ID.json, summary.json,
 pareto.json and, with the algorithm BAYESIAN, surrogates.json into DIR. The same command resumes a
@@ -171,8 +173,8 @@ method/max_evaluations, max_time_s or max_cpu_time_s; with any other change it i
 needs another folder.
 
 BAYESIAN and the designs of experiments keep all jobs busy, each simulation on one thread. Which
-designs BAYESIAN tries depends on the number of jobs, and with several on how fast each simulation
-is, unless the spec sets method/repeatable. NLopt's algorithms try one design at a time after the
+designs BAYESIAN tries depends on the number of jobs with which the study was begun, and on nothing
+else; where the spec sets method/repeatable to false, also on how fast each simulation is. NLopt's algorithms try one design at a time after the
 starting ones; its simulations then share the jobs as threads.
 
 Examples:

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "interrupt.hpp"
+#include "parapet/designs/case_spec.hpp"
 #include "parapet/designs/error.hpp"
 #include "parapet/designs/text.hpp"
 #include "parapet/records/atomic_file.hpp"
@@ -31,7 +32,8 @@ constexpr const char* examples = R"(Examples:
   parapet validate                                  how far to trust the solver
   parapet VERB --help                               options and examples of a verb
 
-Exit codes: 0 done, 1 a run failed, 2 bad input or arguments, 130 interrupted.
+Exit codes: 0 done, 1 a run failed or a file could not be read or written, 2 bad input or
+arguments, 130 interrupted.
 A spec that is not found as a file but has the name of a shipped one is taken from the program.)";
 
 /// Messages, one line each whatever they quote. What standard error does not take is lost: there is
@@ -112,6 +114,13 @@ int finish_output(const Session& session, int code) {
   return code == exit_done ? exit_failed : code;
 }
 
+/// What the library says, without its own number in brackets.
+std::string bare_text(const designs::Json::exception& error) {
+  const std::string text = error.what();
+  const std::size_t end = text.find("] ");
+  return text.starts_with('[') && end != std::string::npos ? text.substr(end + 2) : text;
+}
+
 int run_guarded(Session& session, int argc, char** argv, std::initializer_list<AddVerb> verbs) {
   CLI::App app(
       "Parapet finds better debris-flow barriers: a two-dimensional particle simulation of "
@@ -129,9 +138,12 @@ int run_guarded(Session& session, int argc, char** argv, std::initializer_list<A
     return exit_bad_input;
   } catch (const records::FileError& error) {
     session.log->error("{}", error.what());
-    return exit_bad_input;
+    return exit_failed;
   } catch (const std::filesystem::filesystem_error& error) {
     session.log->error("{}: {}", error.path1().string(), error.code().message());
+    return exit_failed;
+  } catch (const designs::Json::exception& error) {
+    session.log->error("a file does not hold what Parapet writes: {}", bare_text(error));
     return exit_bad_input;
   } catch (const std::bad_alloc&) {
     session.log->error("out of memory: use fewer --jobs or a larger --spacing-mm");

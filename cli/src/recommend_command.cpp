@@ -1,3 +1,6 @@
+#include <unistd.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -7,6 +10,7 @@
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/checksum_list.hpp"
 #include "parapet/records/folder_lock.hpp"
+#include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
 #include "parapet/reports/recommendation_json.hpp"
 #include "parapet/reports/recommendation_text.hpp"
@@ -29,8 +33,36 @@ struct RecommendOptions : CommonOptions {
   int repeats = 2;
 };
 
-/// Writes sensitivity.json and takes it into the study.
-void add_sensitivity(const Session& session, study::LoadedStudy& study) {
+/// Whether files can be made in a folder: not in one of a read-only disk or of somebody else.
+bool is_writable(const std::filesystem::path& folder) {
+  return ::access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+bool same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code none;
+  return std::filesystem::equivalent(a, b, none);
+}
+
+/// Where the files go: --out, or the study's folder; nowhere when that cannot be written to.
+std::optional<std::filesystem::path> files_folder(const Session& session,
+                                                  const RecommendOptions& options) {
+  if (!options.out.empty() && !same_folder(options.out, options.folder)) {
+    records::open_output_folder(options.out, records::FolderKind::advice);
+    const records::FolderLock lock(options.out);
+    records::take_output_folder(options.out, records::FolderKind::advice);
+    return options.out;
+  }
+  if (is_writable(options.folder)) return options.folder;
+  session.log->warn(
+      "{} cannot be written to: the advice is printed and no file is written; "
+      "--out DIR takes the files",
+      options.folder.string());
+  return std::nullopt;
+}
+
+/// Takes the sensitivities into the study and writes sensitivity.json where there is a place.
+void add_sensitivity(const Session& session, study::LoadedStudy& study,
+                     const std::optional<std::filesystem::path>& files) {
   std::string source;
   const designs::Json surrogates = study::study_surrogates(study.spec, study.folder, source);
   if (surrogates.is_null()) {
@@ -38,7 +70,8 @@ void add_sensitivity(const Session& session, study::LoadedStudy& study) {
     return;
   }
   study.sensitivity = study::study_sensitivity(study.spec, surrogates, source);
-  records::write_file_atomically(study.folder / "sensitivity.json",
+  if (!files) return;
+  records::write_file_atomically(*files / "sensitivity.json",
                                  records::json_text(to_json(*study.sensitivity)));
 }
 
@@ -130,6 +163,31 @@ bool say_damage(const Session& session, const study::LoadedStudy& study) {
   return false;
 }
 
+/// Whether the study's designs can be simulated again with the physics that they had.
+bool same_physics(const Session& session, const RecommendOptions& options,
+                  const study::LoadedStudy& study) {
+  const int own = session.program.physics;
+  if (options.mix_revisions || std::ranges::count(study.physics, own) > 0) return true;
+  if (!options.no_confirm) {
+    session.log->warn(
+        "nothing is simulated again: the designs were simulated with other physics than the {} of "
+        "this program; --mix-revisions simulates all the same",
+        own);
+  }
+  return false;
+}
+
+void write_files(const Session& session, const reports::Recommendation& recommendation,
+                 const std::string& text, const std::filesystem::path& folder) {
+  records::write_file_atomically(folder / "recommendation.json",
+                                 records::json_text(reports::recommendation_json(recommendation)));
+  records::write_file_atomically(folder / "recommendation.md", text);
+  for (const std::string& file : reports::draw_study_plots(folder, recommendation)) {
+    session.log->info("written: {}", (folder / file).string());
+  }
+  session.log->info("written: {} and recommendation.json", (folder / "recommendation.md").string());
+}
+
 int recommend_command(const Session& session, const RecommendOptions& options) {
   const std::filesystem::path& folder = options.folder;
   const study::PickRule rule =
@@ -137,23 +195,26 @@ int recommend_command(const Session& session, const RecommendOptions& options) {
   study::LoadedStudy study = study::load_study_folder(folder);
   study::ranked_picks(study, rule);  // what is wrong with the rule is said first
   const bool sound = say_damage(session, study);
+  const std::optional<std::filesystem::path> files = files_folder(session, options);
+  const bool may_confirm = is_writable(folder) && same_physics(session, options, study);
   const AdviceChecksums checksums(folder);
-  if (!options.no_confirm) {
+  if (!options.no_confirm && !is_writable(folder)) {
+    session.log->warn("nothing is simulated again: {} cannot be written to", folder.string());
+  }
+  if (!options.no_confirm && may_confirm) {
     if (!confirm_and_say(session, options, study, rule)) return exit_interrupted;
     study.confirmations = study::load_confirmations(folder);
   }
-  add_sensitivity(session, study);
+  try {
+    add_sensitivity(session, study, files);
+  } catch (const designs::Json::exception& error) {
+    designs::throw_misread(folder / "surrogates.json", error);
+  }
   const reports::Recommendation recommendation = reports::recommend(study, rule);
   const std::string text = reports::recommendation_text(recommendation);
-  records::write_file_atomically(folder / "recommendation.json",
-                                 records::json_text(reports::recommendation_json(recommendation)));
-  records::write_file_atomically(folder / "recommendation.md", text);
-  for (const std::string& file : reports::draw_study_plots(folder, recommendation)) {
-    session.log->info("written: {}", (folder / file).string());
-  }
+  if (files) write_files(session, recommendation, text, *files);
   checksums.write();
   if (!session.quiet) session.out->write(text);
-  session.log->info("written: {} and recommendation.json", (folder / "recommendation.md").string());
   if (!recommendation.recommended) {
     session.log->warn(
         "no design meets every constraint and the rule's limits, so nothing is "
@@ -169,6 +230,7 @@ void add_recommend(CLI::App& app, Session& session) {
   auto options = std::make_shared<RecommendOptions>();
   verb->add_option("STUDY_DIR", options->folder, "Folder of a study, as parapet optimize writes it")
       ->required();
+  add_out(*verb, *options, "STUDY_DIR");
   verb->add_option("--rule", options->rule,
                    "best (the default for one objective), knee (for several), weights or limits")
       ->type_name("RULE");
@@ -187,14 +249,15 @@ void add_recommend(CLI::App& app, Session& session) {
   verb->add_option("--repeats", options->repeats, "Nearly equal designs to simulate (default: 2)")
       ->type_name("N")
       ->check(CLI::Range(0, 100));
+  add_mix_revisions(*verb, *options);
   add_jobs(*verb, *options, "Simulations side by side; where there are fewer, threads of each");
   verb->footer(
-      R"(Prints the advice and writes recommendation.md and recommendation.json into STUDY_DIR, with
+      R"(Prints the advice and writes recommendation.md and recommendation.json into STUDY_DIR or --out, with
 sensitivity.json (which variables matter, by the surrogates) and, for several objectives, front.png
 and hypervolume.png. The chosen design is simulated again with designs half a per cent of the ranges
 away from it, to see how far the answer scatters; these runs are kept in confirmations.jsonl and not
 repeated. If it does not hold, the next is tried, three at most. A study that still runs can be asked
-too; then nothing is simulated.
+too; then nothing is simulated. A folder that cannot be written to is only read.
 
 Examples:
   parapet recommend runs/quickstart-optimize

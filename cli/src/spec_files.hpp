@@ -24,4 +24,11 @@ designs::CaseSpec read_case(const std::string& argument, std::optional<double> s
 designs::StudySpec read_study(const std::string& argument, std::optional<double> spacing_mm);
 designs::SweepSpec read_sweep(const std::string& argument, std::optional<double> spacing_mm);
 
+/// What the solver cannot number or this machine cannot hold.
+/// @param file names the source in messages
+/// @throws designs::InputError
+void require_affordable(const designs::CaseSpec& spec, const std::string& file);
+void require_affordable(const designs::StudySpec& study, const std::string& file);
+void require_affordable(const designs::SweepSpec& sweep, const std::string& file);
+
 }  // namespace parapet::cli

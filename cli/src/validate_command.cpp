@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
@@ -8,6 +10,7 @@
 #include "interrupt.hpp"
 #include "parapet/designs/error.hpp"
 #include "parapet/records/atomic_file.hpp"
+#include "parapet/records/output_folder.hpp"
 #include "parapet/validation/suite.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
@@ -35,6 +38,16 @@ std::string joined(const std::vector<std::string>& names) {
 void list_cases(const Session& session) {
   for (const validation::CaseInfo& c : validation::list_cases()) {
     session.out->print("{:<20} {}\n", c.name, c.title);
+  }
+}
+
+/// @throws designs::InputError, so that nothing is begun
+void require_known(const std::vector<std::string>& names) {
+  const auto cases = validation::list_cases();
+  for (const std::string& name : names) {
+    if (std::ranges::find(cases, name, &validation::CaseInfo::name) != cases.end()) continue;
+    throw designs::InputError(
+        {{"CASE", "", name, "is not a case", "the names that parapet validate --list prints"}});
   }
 }
 
@@ -71,10 +84,14 @@ int validate_command(const Session& session, const ValidateOptions& options) {
   const std::filesystem::path folder =
       !options.out.empty() ? options.out
                            : (options.quick ? "runs/validation-quick" : "docs/validation");
+  require_known(options.cases);
+  const bool is_new = !std::filesystem::exists(folder) || std::filesystem::is_empty(folder);
+  records::open_output_folder(folder, records::FolderKind::validation);
   if (options.pages_only) {
     write_pages(session, folder);
     return exit_done;
   }
+  if (is_new) records::take_output_folder(folder, records::FolderKind::validation);
   const validation::SuiteOutcome outcome = run_cases(session, options, folder);
   session.out->print("{}", validation::scorecard_text(outcome.cards));
   if (!options.quick) write_pages(session, folder);

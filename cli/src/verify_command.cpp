@@ -51,6 +51,8 @@ int verify_command(const Session& session, const VerifyOptions& options) {
   const auto chosen = study::spread_sample(
       runs.size(), options.all ? runs.size() : static_cast<std::size_t>(options.count));
   name_other_programs(session, runs);
+  const std::vector<std::string> damage = study::folder_damage(options.folder);
+  for (const std::string& sentence : damage) session.log->error("{}", sentence);
   std::optional<std::vector<study::VerifiedRun>> verified;
   {
     RunMonitor monitor(session, static_cast<int>(chosen.size()), "simulations");
@@ -76,7 +78,7 @@ int verify_command(const Session& session, const VerifyOptions& options) {
   session.out->print("{} of {} simulations run again, of {} in {}: {}\n", n_same, verified->size(),
                      runs.size(), options.folder.string(),
                      n_same == verified->size() ? "the same to the last bit" : "NOT all the same");
-  return n_same == verified->size() ? exit_done : exit_failed;
+  return n_same == verified->size() && damage.empty() ? exit_done : exit_failed;
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ void add_verify(CLI::App& app, Session& session) {
   add_jobs(*verb, *options, "Simulations side by side; where there are fewer, threads of each");
   verb->footer(
       R"(Prints for each whether all its metrics came out the same to the last bit; exit code 1 when one did
-not. Changes nothing in DIR. The number of threads and of jobs plays no part; another revision of the
+not, or when a line or a file is not what was written (crc32c, checksums.sha256). Changes nothing in DIR. The number of threads and of jobs plays no part; another revision of the
 program or another compiler may.
 
 Examples:

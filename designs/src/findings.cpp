@@ -1,6 +1,9 @@
 #include "findings.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace parapet::designs {
@@ -34,6 +37,11 @@ std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
+}
+
+bool nearly_equal(double a, double b) {
+  constexpr double tolerance = 4.0 * std::numeric_limits<double>::epsilon();
+  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
 std::string joined(const std::vector<std::string>& words, std::string_view quote) {

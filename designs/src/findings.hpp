@@ -19,6 +19,10 @@ std::string short_text(const Json& value);
 /// Four significant digits, for messages.
 std::string rounded(double value);
 
+/// Whether two numbers differ by no more than four units in the last place of the larger: what a
+/// sum or a conversion of units loses, and nobody means.
+bool nearly_equal(double a, double b);
+
 /// "a, b, c" with each word between `quote`s.
 std::string joined(const std::vector<std::string>& words, std::string_view quote = "");
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
 
 #include "findings.hpp"
@@ -159,7 +159,8 @@ Json read_json(const std::filesystem::path& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
-    const std::string why = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+    const std::string why =
+        errno != 0 ? std::string(": ") + std::generic_category().message(errno) : "";
     throw InputError({{name, "", "", "cannot be read" + why, "a JSON file"}});
   }
   std::string text;
@@ -174,6 +175,12 @@ Json read_json(const std::filesystem::path& file) {
     }
   }
   return parse_json(text, name);
+}
+
+void throw_misread(const std::filesystem::path& file, const Json::exception& error) {
+  throw InputError(
+      {{file.string(), "", "", "does not hold what it should: " + without_number(error.what()),
+        "the file as Parapet wrote it"}});
 }
 
 std::string document_format(const Json& json, const std::string& file) {

@@ -57,8 +57,15 @@ std::string allowed_type(SchemaNode schema, const std::string& type, const std::
   if (type == "boolean") return "true or false";
   if (type == "null") return "null";
   if (type == "array") return size_text(*schema);
-  if (type == "string")
-    return schema->contains("minLength") ? "a text that is not empty" : "a text";
+  if (type == "string") {
+    std::string text = schema->contains("minLength") ? "a text that is not empty" : "a text";
+    if (schema->contains("maxLength")) {
+      text += (schema->contains("minLength") ? " and" : " of");
+      text += " at most " + schema->at("maxLength").dump() +
+              (schema->contains("minLength") ? " bytes long" : " bytes");
+    }
+    return text;
+  }
   const std::vector<std::string> names = property_names(schema);
   return names.empty() ? "an object" : "an object with the keys " + joined(names);
 }
@@ -106,6 +113,23 @@ std::optional<SchemaNode> schema_at(SchemaNode schema, const std::string& pointe
   return std::nullopt;
 }
 
+namespace {
+
+/// A number that is beyond a bound by its last digits only becomes the bound.
+Json within_bounds(const Json& schema, const Json& value) {
+  if (!value.is_number_float()) return value;
+  const double number = value.get<double>();
+  for (const char* key : {"minimum", "maximum"}) {
+    if (!schema.contains(key)) continue;
+    const double bound = schema.at(key).get<double>();
+    const bool beyond = std::string_view(key) == "minimum" ? number < bound : number > bound;
+    if (beyond && nearly_equal(number, bound)) return bound;
+  }
+  return value;
+}
+
+}  // namespace
+
 Json with_defaults(SchemaNode schema, const Json& value) {
   schema = follow_reference(schema);
   if (schema->contains("allOf")) {
@@ -131,7 +155,7 @@ Json with_defaults(SchemaNode schema, const Json& value) {
       }
       return result;
     }
-    return value;
+    return within_bounds(*schema, value);
   }
   Json result = Json::object();
   for (const auto& [key, part] : schema->at("properties").items()) {

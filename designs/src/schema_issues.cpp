@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <set>
 
 #include "findings.hpp"
 #include "schema.hpp"
@@ -44,6 +45,11 @@ std::string type_problem(const Json& value, const Json& type) {
   return "must not be " + type_name(value);
 }
 
+/// Whether a number is beyond a bound by more than the last digits, which a calculation loses.
+bool is_below(double number, double bound) {
+  return number < bound && !nearly_equal(number, bound);
+}
+
 /// Whether a text is of the form that a node's maxLength and pattern ask for.
 bool has_form(const Json& node, const std::string& text) {
   // The length first: the pattern search recurses with every character.
@@ -82,8 +88,7 @@ class Walk {
   /// A misspelt key that was required is one mistake, not two.
   std::vector<InputIssue> issues() && {
     std::erase_if(issues_, [&](const InputIssue& issue) {
-      return issue.value.empty() &&
-             std::find(meant_.begin(), meant_.end(), issue.pointer) != meant_.end();
+      return issue.value.empty() && meant_.contains(issue.pointer);
     });
     return std::move(issues_);
   }
@@ -112,11 +117,10 @@ class Walk {
     const auto bound = [&](const char* key) { return schema->at(key).get<double>(); };
     if (!std::isfinite(number)) {
       add(schema, value, pointer, "is not a finite number");
-    } else if (schema->contains("minimum") && number < bound("minimum")) {
+    } else if ((schema->contains("minimum") && is_below(number, bound("minimum"))) ||
+               (schema->contains("exclusiveMinimum") && number <= bound("exclusiveMinimum"))) {
       add(schema, value, pointer, "is too small");
-    } else if (schema->contains("exclusiveMinimum") && number <= bound("exclusiveMinimum")) {
-      add(schema, value, pointer, "is too small");
-    } else if (schema->contains("maximum") && number > bound("maximum")) {
+    } else if (schema->contains("maximum") && is_below(bound("maximum"), number)) {
       add(schema, value, pointer, "is too large");
     }
   }
@@ -125,6 +129,9 @@ class Walk {
     const std::string& text = value.get_ref<const std::string&>();
     if (schema->contains("minLength") && text.size() < schema->at("minLength").get<std::size_t>()) {
       add(schema, value, pointer, "is empty");
+    } else if (schema->contains("maxLength") && !schema->contains("pattern") &&
+               text.size() > schema->at("maxLength").get<std::size_t>()) {
+      add(schema, value, pointer, "is " + std::to_string(text.size()) + " bytes long");
     } else if (!has_form(*schema, text)) {
       issues_.push_back({file_, prefix_ + pointer, short_text(value), "is not a name of this form",
                          schema->at("description").get<std::string>()});
@@ -192,7 +199,7 @@ class Walk {
       const std::string meant = nearest_word(key, names);
       const std::size_t parent = pointer.rfind('/');
       if (!meant.empty()) {
-        meant_.push_back(prefix_ + child_pointer(pointer.substr(0, parent), meant));
+        meant_.insert(prefix_ + child_pointer(pointer.substr(0, parent), meant));
       }
       issues_.push_back({file_, prefix_ + pointer, short_text(item),
                          "unknown key" + did_you_mean(key, names), "the keys " + joined(names)});
@@ -202,7 +209,7 @@ class Walk {
   const std::string& file_;
   const std::string& prefix_;
   std::vector<InputIssue> issues_;
-  std::vector<std::string> meant_;  ///< pointers that misspelt keys most likely stand for
+  std::set<std::string> meant_;  ///< pointers that misspelt keys most likely stand for
 };
 
 }  // namespace

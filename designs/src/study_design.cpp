@@ -70,7 +70,19 @@ bool is_decided(const std::vector<Variable>& variables, const Variable& variable
   return !is_active(variables, *choice, design) || design.contains(choice->name);
 }
 
-std::string value_problem(const Variable& variable, double value) {
+/// A value that is beyond a bound by its last digits only becomes the bound.
+double within_bounds(const Variable& variable, double value) {
+  const double range = variable.upper - variable.lower;  // counts where a bound is 0
+  const auto is_near = [&](double bound) {
+    return nearly_equal(value, bound) || nearly_equal(value - bound + range, range);
+  };
+  if (value < variable.lower && is_near(variable.lower)) return variable.lower;
+  if (value > variable.upper && is_near(variable.upper)) return variable.upper;
+  return value;
+}
+
+std::string value_problem(const Variable& variable, double given) {
+  const double value = within_bounds(variable, given);
   const bool outside = !std::isfinite(value) || value < variable.lower || value > variable.upper;
   if (variable.kind == VariableKind::choice) {
     return outside || std::floor(value) != value ? "is not the number of an option" : "";
@@ -133,7 +145,7 @@ std::optional<double> json_value(const Variable& variable, const Json& json,
   } else {
     const double value = json.get<double>() + 0.0;  // -0 and 0 are one design
     problem = value_problem(variable, value);
-    if (problem.empty()) return value;
+    if (problem.empty()) return within_bounds(variable, value);
   }
   findings.add(place, problem, allowed_text(variable));
   return std::nullopt;

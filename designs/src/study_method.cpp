@@ -32,6 +32,7 @@ Method read_method(const Json& json, const std::vector<Variable>& variables, Fin
   method.points_per_variable = whole(json, "points_per_variable");
   method.stagnation_evaluations = whole(json, "stagnation_evaluations");
   method.least_gain = json.at("least_gain").get<double>();
+  method.max_finest_runs = json.at("max_finest_runs").get<double>();
   method.repeatable = json.at("repeatable").get<bool>();
   const Json& starts = json.at("starts");
   // A start cannot be judged by variables that are wrong themselves.

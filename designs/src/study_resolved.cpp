@@ -162,7 +162,8 @@ Json method_json(const StudySpec& study) {
           {"points_per_variable", method.points_per_variable},
           {"stagnation_evaluations", method.stagnation_evaluations},
           {"least_gain", method.least_gain},
-          {"repeatable", method.repeatable}};
+          {"repeatable", method.repeatable},
+          {"max_finest_runs", method.max_finest_runs}};
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "parapet/designs/study_spec.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "case_parts.hpp"
@@ -23,6 +25,16 @@ void apply_fidelity(StudySpec& study, Findings& findings) {
                      " " + first.problem,
                  first.allowed);
   }
+}
+
+/// A budget too small for a single design.
+void check_finest_runs(const StudySpec& study, Findings& findings) {
+  const double events = static_cast<double>(std::max<std::size_t>(1, study.scenarios.size()));
+  const double runs = study.method.max_finest_runs;
+  if (runs <= 0.0 || runs >= events) return;
+  findings.add("/method/max_finest_runs",
+               "does not allow one design, which takes " + rounded(events) + " simulations",
+               "at least " + rounded(events) + ", or 0 for no limit");
 }
 
 /// The first thing wrong with a design in any event, at any spacing.
@@ -52,6 +64,47 @@ void check_starts(const StudySpec& study, Findings& findings) {
                    "is not a possible scene: " + issue->pointer + " " + issue->problem,
                    issue->allowed);
     }
+  }
+}
+
+/// A design somewhere between the bounds: the middle for k = 0, then the points of an additive
+/// recurrence, which fills the box evenly.
+Design sample_design(const std::vector<Variable>& variables, int k) {
+  Design design;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const Variable& variable = variables[i];
+    if (!is_active(variables, variable, design)) continue;
+    const double turn = std::sqrt(static_cast<double>(2 * i + 3));
+    const double share = std::fmod(0.5 + k * turn, 1.0);
+    const double value = variable.lower + share * (variable.upper - variable.lower);
+    const bool whole = variable.kind != VariableKind::continuous;
+    design[variable.name] = whole ? std::round(value) : value;
+  }
+  return design;
+}
+
+/// Formulas that have a value nowhere, such as 1/(a - a).
+void check_formulas(const StudySpec& study, Findings& findings) {
+  constexpr int samples = 200;
+  const auto check = [&](const std::string& expression, const std::string& pointer) {
+    if (expression.empty()) return;
+    for (int k = 0; k < samples; ++k) {
+      try {
+        evaluate_expression(study, expression, sample_design(study.variables, k));
+        return;
+      } catch (const InputError&) {
+      }
+    }
+    findings.add(
+        pointer + "/expression",
+        "has no finite value at any of " + std::to_string(samples) + " designs between the bounds",
+        "a formula with a value, such as one that does not divide by zero");
+  };
+  for (std::size_t k = 0; k < study.objectives.size(); ++k) {
+    check(study.objectives[k].expression, child_pointer("/objectives", k));
+  }
+  for (std::size_t k = 0; k < study.constraints.size(); ++k) {
+    check(study.constraints[k].expression, child_pointer("/constraints", k));
   }
 }
 
@@ -105,6 +158,8 @@ StudySpec parse_study(const Json& json, const std::string& file) {
                              variables_sound ? study.variables : std::vector<Variable>{}, findings);
   if (findings.empty()) apply_fidelity(study, findings);
   if (findings.empty()) check_scenarios(study, findings);
+  check_finest_runs(study, findings);
+  if (findings.empty()) check_formulas(study, findings);
   if (findings.empty()) check_starts(study, findings);
   findings.throw_if_any();
   study.resolved = resolve_study(study, complete.at("scenarios"));

@@ -170,6 +170,7 @@ Json to_json(const EvaluationRecord& record) {
   add_text(json, "case_hash", record.case_hash);
   add_text(json, "program_version", record.program_version);
   add_text(json, "git_revision", record.git_revision);
+  if (record.physics > 0) json["physics"] = record.physics;
   if (record.scenarios.empty()) return json;
   json["scenarios"] = Json::array();
   for (const auto& scenario : record.scenarios) json["scenarios"].push_back(to_json(scenario));
@@ -203,6 +204,7 @@ EvaluationRecord record_from_json(const Json& json) {
   record.case_hash = json.value("case_hash", "");
   record.program_version = json.value("program_version", "");
   record.git_revision = json.value("git_revision", "");
+  record.physics = json.value("physics", 0);
   if (!json.contains("scenarios")) return record;
   for (const Json& item : json["scenarios"]) record.scenarios.push_back(scenario_from_json(item));
   return record;

@@ -29,7 +29,7 @@ std::string study_hash(const designs::StudySpec& study) {
   if (json.contains("case")) leave_out_of_case(json["case"]);
   if (json.contains("method")) {
     // When a study ends does not change what it is: it may be continued.
-    for (const char* limit : {"max_evaluations", "max_time_s", "max_cpu_time_s",
+    for (const char* limit : {"max_evaluations", "max_time_s", "max_cpu_time_s", "max_finest_runs",
                               "stagnation_evaluations", "least_gain"}) {
       json["method"].erase(limit);
     }

@@ -24,6 +24,10 @@ std::string kind_name(FolderKind kind) {
       return "simulation";
     case FolderKind::sweep:
       return "sweep";
+    case FolderKind::advice:
+      return "recommendation";
+    case FolderKind::validation:
+      return "validation";
     case FolderKind::study:
       break;
   }
@@ -44,11 +48,13 @@ std::string member(const fs::path& file, const char* key) {
   }
 }
 
-bool holds(const fs::path& folder, std::string_view format) {
+/// Whether one of the JSON files in a folder has a member with this text, or with any for "".
+bool holds(const fs::path& folder, const char* key, std::string_view text) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() == ".json" && member(entry.path(), "format") == format)
-      return true;
+    if (entry.path().extension() != ".json") continue;
+    const std::string found = member(entry.path(), key);
+    if (!found.empty() && (text.empty() || found == text)) return true;
   }
   return false;
 }
@@ -59,7 +65,12 @@ bool holds_results(const fs::path& folder, FolderKind kind) {
     case FolderKind::simulation:
       return member(folder / "result.json", "format") == "parapet-result/1";
     case FolderKind::sweep:
-      return holds(folder, "parapet-sweep-result/1") || holds(folder / "rows", "parapet-result/1");
+      return holds(folder, "format", "parapet-sweep-result/1") ||
+             holds(folder / "rows", "format", "parapet-result/1");
+    case FolderKind::advice:
+      return member(folder / "recommendation.json", "format") == "parapet-recommendation/1";
+    case FolderKind::validation:
+      return holds(folder, "suite", "");
     case FolderKind::study:
       break;
   }

@@ -17,6 +17,7 @@ std::string compiler_name() {
 designs::Json provenance_json(const ProgramInfo& program, const std::string& spec_hash) {
   designs::Json json;
   json["program_version"] = program.version;
+  json["physics"] = program.physics;
   json["compiler"] = compiler_name();
   if (!program.git_revision.empty()) json["git_revision"] = program.git_revision;
   json["spec_hash"] = spec_hash;

@@ -25,6 +25,7 @@ Json state_json(const designs::StudySpec& study, const ProgramInfo& program) {
   json["name"] = study.name;
   json["spec_hash"] = study_hash(study);
   json["provenance"] = study_provenance(study, program);
+  json["physics"] = {program.physics};
   json["spec"] = study.resolved;
   return json;
 }
@@ -46,29 +47,63 @@ Json read_state(const std::filesystem::path& folder) {
   return nullptr;
 }
 
+void refuse_other_study(const std::string& file, const Json& state, const Json& wanted) {
+  const std::string allowed = "the folder of this study (" + wanted["spec_hash"].dump() +
+                              ") or a new one; choose it with --out";
+  if (const std::string problem = state_problem(state); !problem.empty()) {
+    const Json said = state.is_object() ? state.value("format", Json()) : Json();
+    throw InputError({{file, "/format", said.is_null() ? "" : said.dump(), problem, allowed}});
+  }
+  const Json hash = state.value("spec_hash", Json());
+  if (hash == wanted["spec_hash"]) return;
+  const std::string name = state.contains("name") ? " (" + state["name"].dump() + ")" : "";
+  throw InputError(
+      {{file, "/spec_hash", hash.dump(), "the folder belongs to another study" + name, allowed}});
+}
+
+/// The physics numbers of the study with this program's among them.
+Json joined_physics(const std::string& file, const Json& state, int own, bool mix,
+                    std::vector<std::string>& notes) {
+  std::vector<int> numbers = physics_numbers(state);
+  if (std::ranges::find(numbers, own) == numbers.end()) {
+    if (!mix) {
+      throw InputError({{file, "/physics", Json(numbers).dump(),
+                         "the designs of this study were simulated with other physics than the " +
+                             std::to_string(own) + " of this program: their numbers do not compare",
+                         "a new folder (--out), or --mix-revisions to continue all the same"}});
+    }
+    numbers.push_back(own);
+  }
+  if (numbers.size() > 1) {
+    notes.push_back("designs of different physics (" + Json(numbers).dump() +
+                    ") stand side by side in this study; their numbers do not compare");
+  }
+  return numbers;
+}
+
 /// Refuses another study's folder before anything is written; gives notes on the same one's.
 std::vector<std::string> prepare_folder(const std::filesystem::path& folder,
-                                        const designs::StudySpec& study,
-                                        const ProgramInfo& program) {
+                                        const designs::StudySpec& study, const ProgramInfo& program,
+                                        bool mix_physics) {
   std::vector<std::string> notes;
   Json wanted = state_json(study, program);
   const Json state = read_state(folder);
   if (!state.is_null()) {
-    const bool ours = is_study_state(state);
-    if (!ours || state.value("spec_hash", Json()) != wanted["spec_hash"]) {
-      throw InputError(
-          {{.file = (folder / "study.json").string(),
-            .pointer = ours ? "/spec_hash" : "/format",
-            .value = ours ? state.value("spec_hash", Json()).dump() : "",
-            .problem = "the folder belongs to another study" +
-                       (ours && state.contains("name") ? " (" + state["name"].dump() + ")" : ""),
-            .allowed = "the folder of this study (" + wanted["spec_hash"].dump() +
-                       ") or a new one; choose it with --out"}});
-    }
+    const std::string file = (folder / "study.json").string();
+    refuse_other_study(file, state, wanted);
+    wanted["physics"] = joined_physics(file, state, program.physics, mix_physics, notes);
     const Json before = state.value("/provenance/program_version"_json_pointer, Json());
     if (before != program.version) {
       notes.push_back("this study was begun with version " + before.dump() +
                       " of the program; what it evaluated is kept");
+    } else {
+      const Json revision = state.value("/provenance/git_revision"_json_pointer, Json());
+      const Json ours_is = wanted.value("/provenance/git_revision"_json_pointer, Json());
+      if (revision != ours_is) {
+        notes.push_back("this study was begun with the revision " + revision.dump() +
+                        " of the program, and this is " + ours_is.dump() +
+                        "; what it evaluated is kept");
+      }
     }
   }
   if (state.is_object() && state.contains("begun_with")) wanted["begun_with"] = state["begun_with"];
@@ -79,8 +114,9 @@ std::vector<std::string> prepare_folder(const std::filesystem::path& folder,
   return notes;
 }
 
+/// Of one simulation; that of a design without scenarios is the base event's.
 std::string file_name_of(const std::string& id, const std::string& scenario) {
-  return id + "-" + file_name(scenario) + ".json";
+  return id + "-" + (scenario.empty() ? "base" : file_name(scenario)) + ".json";
 }
 
 /// A design whose line was damaged is to be simulated again: the report says which it was.
@@ -132,16 +168,33 @@ std::vector<UnfinishedDesign> find_unfinished(const std::filesystem::path& folde
 
 }  // namespace
 
-bool is_study_state(const Json& state) {
+std::string state_problem(const Json& state) {
   const Json format = state.is_object() ? state.value("format", Json()) : Json();
-  return format == study_state_format || format == early_study_state_format;
+  if (format == study_state_format || format == early_study_state_format) return "";
+  if (!format.is_string() || !format.get<std::string>().starts_with("parapet-study-state/")) {
+    return "this is not a study's state";
+  }
+  return std::string("a newer version of the program wrote this; this one reads up to ") +
+         study_state_format;
+}
+
+std::vector<int> physics_numbers(const Json& state) {
+  const Json stated = state.is_object() ? state.value("physics", Json()) : Json();
+  std::vector<int> numbers;
+  if (stated.is_array()) {
+    for (const Json& one : stated) {
+      if (one.is_number_integer()) numbers.push_back(one.get<int>());
+    }
+  }
+  return numbers.empty() ? std::vector<int>{1} : numbers;
 }
 
 StudyFolder::StudyFolder(std::filesystem::path folder, const designs::StudySpec& study,
-                         const ProgramInfo& program, std::chrono::milliseconds patience)
+                         const ProgramInfo& program, FolderOptions options)
     : folder_(std::move(folder)),
-      lock_(opened(folder_), patience),
-      log_((notes_ = prepare_folder(folder_, study, program), folder_ / "evaluations.jsonl")) {
+      lock_(opened(folder_), options.patience),
+      log_((notes_ = prepare_folder(folder_, study, program, options.mix_physics),
+            folder_ / "evaluations.jsonl")) {
   take_output_folder(folder_, FolderKind::study);
   make_folder(folder_ / "evaluations");
   for (const std::string& repair : log_.repairs()) notes_.push_back(repair);
@@ -155,13 +208,18 @@ void StudyFolder::begin(const BegunWith& with) {
   for (const std::string& name : checksums_->damaged()) notes_.push_back(checksums_->note(name));
   checksums_->begin();
   Json state = designs::parse_json(read_own_file(file), file.string());
+  if (!state.is_object()) state = Json::object();
   Json& begun = state["begun_with"];
   if (!begun.is_object()) {
     begun = {{"jobs", with.jobs}, {"max_evaluations", with.max_evaluations}};
     write_file_atomically(file, json_text(state));
   }
-  begun_with_ = {.jobs = begun.value("jobs", with.jobs),
-                 .max_evaluations = begun.value("max_evaluations", with.max_evaluations)};
+  try {
+    begun_with_ = {.jobs = begun.value("jobs", with.jobs),
+                   .max_evaluations = begun.value("max_evaluations", with.max_evaluations)};
+  } catch (const Json::exception& error) {
+    designs::throw_misread(file, error);
+  }
 }
 
 void StudyFolder::store(const EvaluationRecord& record, const Json& report) {
@@ -192,6 +250,11 @@ void StudyFolder::store_simulation(const std::string& id, const designs::Design&
   write_file_atomically(
       folder_ / "evaluations" / file_name_of(id, scenario.name),
       json_text(simulation_report(design, spacing, &scenario, simulation, provenance)));
+}
+
+void StudyFolder::discard_simulation(const std::string& id) const {
+  std::error_code none;
+  std::filesystem::remove(folder_ / "evaluations" / file_name_of(id, ""), none);
 }
 
 const Simulation* StudyFolder::unfinished(const designs::Design& design, double spacing,

@@ -51,7 +51,8 @@ std::optional<SweepRowResult> read_finished_row(const std::filesystem::path& fol
                                     "\"), or a new folder; choose it with --out"}});
     }
     const auto version = json.at("/provenance/program_version"_json_pointer).get<std::string>();
-    if (version != program.version) return std::nullopt;
+    const int physics = json.value("/provenance/physics"_json_pointer, 1);
+    if (version != program.version || physics != program.physics) return std::nullopt;
     return row_from_json(json, row);
   } catch (const Json::exception& error) {
     throw InputError(

@@ -23,7 +23,8 @@ void differences(const Json& a, const Json& b, const std::string& at,
   } else if (a.is_structured() && a.type() == b.type() && a.size() == b.size()) {
     for (const auto& [key, value] : a.items()) {
       const Json& other = a.is_array() ? b[std::stoul(key)] : (b.contains(key) ? b[key] : Json());
-      differences(value, other, at + "/" + key, found);
+      std::string place = at;
+      differences(value, other, place.append("/").append(key), found);
     }
   } else if (a != b) {
     found.push_back(at);

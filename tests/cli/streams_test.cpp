@@ -93,7 +93,7 @@ TEST_F(Streams, ClosedOutputIsSaid) {
 
 TEST_F(Streams, ClosedInputIsAnErrorWhereItIsRead) {
   const Outcome outcome = run("<&-", {"evaluate", "study.json", "--design", "-"});
-  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_PRED_FORMAT2(IsSubstring, "cannot read standard input", outcome.err);
 }
 

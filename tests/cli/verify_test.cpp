@@ -50,6 +50,22 @@ TEST(Verify, ChangedMetricIsNamedWithBothValues) {
   EXPECT_PRED_FORMAT2(IsSubstring, "NOT all the same", outcome.out);
 }
 
+TEST(Verify, DamageBesideTheSampleIsSaid) {
+  const TemporaryFolder folder;
+  Json study = tiny_search();
+  study["method"]["max_evaluations"] = 3;
+  folder.write("study.json", study.dump());
+  ASSERT_EQ(run_program(folder.path(), {"optimize", "study.json", "--out", "out"}).exit_code, 0);
+  EXPECT_EQ(verify(folder, {"out", "--count", "1"}).exit_code, 0);
+  std::string log = file_text(folder / "out/evaluations.jsonl");
+  const std::size_t digit = log.rfind("\"wall_time_s\":") + 14;
+  log[digit] = log[digit] == '1' ? '2' : '1';
+  folder.write("out/evaluations.jsonl", log);
+  const Outcome outcome = verify(folder, {"out", "--count", "1"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_PRED_FORMAT2(IsSubstring, "line 3", outcome.err);
+}
+
 TEST(Verify, SweepComesOutAgain) {
   const TemporaryFolder folder;
   folder.write("sweep.json", tiny_sweep().dump());

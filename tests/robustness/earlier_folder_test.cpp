@@ -48,6 +48,55 @@ TEST_F(EarlierFolder, IsResumedWithTheSameLinesAndTheirSuccessors) {
   EXPECT_TRUE(std::filesystem::exists(folder / "study/checksums.sha256"));
 }
 
+/// What study.json says, with one member replaced and no list of checksums beside it.
+void replace_in_state(const TemporaryFolder& folder, const char* key, const Json& value) {
+  Json state = Json::parse(file_text(folder / "study/study.json"));
+  state[key] = value;
+  folder.write("study/study.json", state.dump());
+  std::filesystem::remove(folder / "study/checksums.sha256");
+}
+
+TEST_F(EarlierFolder, OfOtherPhysicsIsContinuedOnlyWhenThatIsAskedFor) {
+  replace_in_state(folder, "physics", {99});
+  const std::string state = file_text(folder / "study/study.json");
+  spec["method"]["max_evaluations"] = 7;
+  folder.write("spec.json", spec.dump());
+  const std::vector<std::string> call{"optimize", "spec.json", "--out", "study", "--jobs", "1"};
+  const Outcome refused = run_program(folder.path(), call);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_PRED_FORMAT2(IsSubstring, "study.json: /physics: [99]", refused.err);
+  EXPECT_PRED_FORMAT2(IsSubstring, "--mix-revisions", refused.err);
+  EXPECT_EQ(file_text(folder / "study/study.json"), state) << "nothing is changed";
+  EXPECT_EQ(evaluations_in(folder / "study/evaluations.jsonl"), 6U);
+
+  const Outcome advice = run_program(folder.path(), {"recommend", "study", "--repeats", "2"});
+  EXPECT_EQ(advice.exit_code, 0) << advice.err;
+  EXPECT_PRED_FORMAT2(IsSubstring, "nothing is simulated again", advice.err);
+
+  auto mixing = call;
+  mixing.emplace_back("--mix-revisions");
+  const Outcome mixed = run_program(folder.path(), mixing);
+  EXPECT_EQ(mixed.exit_code, 0) << mixed.err;
+  EXPECT_PRED_FORMAT2(IsSubstring, "their numbers do not compare", mixed.err);
+  EXPECT_EQ(evaluations_in(folder / "study/evaluations.jsonl"), 7U);
+  EXPECT_EQ(run_program(folder.path(), call).exit_code, 0) << "it is mixed already";
+  const Outcome mixed_advice = run_program(folder.path(), {"recommend", "study", "--no-confirm"});
+  EXPECT_PRED_FORMAT2(IsSubstring, "their numbers do not compare", mixed_advice.err);
+}
+
+TEST_F(EarlierFolder, OfANewerFormatIsRefusedByName) {
+  replace_in_state(folder, "format", "parapet-study-state/3");
+  folder.write("spec.json", spec.dump());
+  for (const auto& call : {std::vector<std::string>{"optimize", "spec.json", "--out", "study"},
+                           std::vector<std::string>{"recommend", "study"},
+                           std::vector<std::string>{"verify", "study"}}) {
+    const Outcome outcome = run_program(folder.path(), call);
+    EXPECT_EQ(outcome.exit_code, 2) << call[0];
+    EXPECT_PRED_FORMAT2(IsSubstring, "\"parapet-study-state/3\"", outcome.err);
+    EXPECT_PRED_FORMAT2(IsSubstring, "a newer version of the program wrote this", outcome.err);
+  }
+}
+
 TEST_F(EarlierFolder, IsFoundAgainUnderItsName) {
   std::filesystem::create_directory(folder / "runs");
   // "tiny study of 0.1.0" with blanks: version 0.1.0 put no hash behind it.

@@ -82,6 +82,28 @@ TEST_F(ForeignFolder, OfAnotherVerbIsRefused) {
   EXPECT_EQ(run({"optimize", "study.json", "--out", "simulation"}).exit_code, 2);
 }
 
+TEST_F(ForeignFolder, IsRefusedByValidateAndRecommendToo) {
+  fs::create_directory(folder / "thesis");
+  folder.write("thesis/README.md", victim_text);
+  ASSERT_EQ(run({"optimize", "study.json", "--out", "study"}).exit_code, 0);
+  const std::vector<std::string> advise{"recommend", "study", "--no-confirm", "--out"};
+  const auto advise_into = [&](const std::string& out) {
+    auto call = advise;
+    call.push_back(out);
+    return run(call);
+  };
+  EXPECT_EQ(run({"validate", "--pages-only", "--out", "thesis"}).exit_code, 2);
+  EXPECT_EQ(advise_into("thesis").exit_code, 2);
+  EXPECT_EQ(entries("thesis"), 1U);
+  EXPECT_EQ(file_text(folder / "thesis/README.md"), victim_text);
+  EXPECT_EQ(advise_into("advice").exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "advice/recommendation.json"));
+  EXPECT_EQ(advise_into("advice").exit_code, 0) << "its own";
+  EXPECT_EQ(advise_into("study").exit_code, 0) << "the study's";
+  ASSERT_EQ(run({"optimize", "study.json", "--out", "other"}).exit_code, 0);
+  EXPECT_EQ(advise_into("other").exit_code, 2) << "another study's";
+}
+
 TEST_F(ForeignFolder, EmptyOneIsTakenAndSoIsOneOfAnEarlierVersion) {
   for (const auto& call : calls("new")) {
     fs::remove_all(folder / "new");
@@ -142,7 +164,7 @@ TEST_F(ForeignFolder, FileWithASecondNameIsNotWrittenInPlace) {
   fs::create_directory(folder / "out");
   fs::create_hard_link(folder / "victim", folder / "out/.lock");
   const Outcome outcome = run({"simulate", "case.json", "--out", "out"});
-  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_PRED_FORMAT2(IsSubstring, "another name", outcome.err);
   EXPECT_EQ(file_text(folder / "victim"), victim_text);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -120,13 +121,24 @@ std::vector<double> Search::State::level_seconds() const {
 
 bool Search::State::out_of_budget() {
   if (remaining() <= 0) stop = StopReason::budget;
-  if (options.max_seconds > 0.0) {
+  if (const double limit = cost_limit(); std::isfinite(limit)) {
     const std::vector<double> seconds = level_seconds();
     double expected = spent;
     for (const auto& [id, s] : pending) expected += seconds[static_cast<std::size_t>(s.level)];
-    if (expected >= options.max_seconds) stop = StopReason::seconds;
+    constexpr double rounding = 1e-9;  // of a sum of equal costs
+    if (expected >= limit * (1.0 - rounding)) stop = StopReason::seconds;
   }
   return stop != StopReason::none;
+}
+
+/// What evaluations may cost together; infinite without a limit.
+double Search::State::cost_limit() const {
+  double limit = std::numeric_limits<double>::infinity();
+  if (options.max_seconds > 0.0) limit = options.max_seconds;
+  if (options.max_finest > 0.0) {
+    limit = std::min(limit, options.max_finest * level_seconds().front());
+  }
+  return limit;
 }
 
 bool Search::State::stagnates() const {
@@ -187,8 +199,7 @@ bool Search::State::confirming() const {
   const int used = static_cast<int>(told.size() + pending.size());
   if (remaining() <= reserve) return true;
   if (first_budget - reserve <= used && used < first_budget) return true;
-  if (options.max_seconds <= 0.0) return false;
-  return options.max_seconds - spent <= reserve * level_seconds().front();
+  return cost_limit() - spent <= reserve * level_seconds().front();
 }
 
 bool Search::State::can_model() const {

@@ -58,6 +58,7 @@ struct Search::State {
   bool stagnates() const;
   bool gain_is_small(double expected, const Gain& gain);
   int remaining() const;
+  double cost_limit() const;
   std::vector<double> level_seconds() const;  // [n_levels], measured means where there are any
 
   void make_plan();

@@ -21,8 +21,11 @@ constexpr std::string_view still_moving = "the window was still moving at the en
 constexpr std::string_view nothing_landed =
     "less than 0.5 % of the released mass landed beyond the first barrier";
 constexpr std::string_view no_deflector = "the first barrier has no deflector";
-constexpr std::string_view nothing_came = "nothing reached the barrier";
-constexpr std::string_view too_little_came = "too little reached the barrier";
+constexpr std::string_view did_not_pass_edge =
+    "what landed first had not passed over the first barrier's last edge";
+constexpr std::string_view no_force = "no force on the barrier was measured over 5 ms";
+constexpr std::string_view never_near =
+    "0.5 % of the released mass was never within 20 mm upstream of the barrier's line at once";
 
 // A member of a reading that may not exist.
 template <typename Owner, typename Value>
@@ -38,6 +41,10 @@ double ballistic_distance(Readings run, const LaunchGauge::Launch& launch) {
   const double t =
       (vn + std::sqrt(vn * vn + 2.0 * g * launch.height * std::cos(a))) / (g * std::cos(a));
   return vs * t + 0.5 * g * std::sin(a) * t * t;
+}
+
+std::string_view why_no_launch(Readings run) {
+  return run.impact ? did_not_pass_edge : nothing_landed;
 }
 
 // Of the overflow over the first barrier.
@@ -96,31 +103,31 @@ constexpr std::array with_barrier{
     MetricEntry{
         .key = "launch_angle_deg",
         .unit = "deg",
-        .absent_when = {nothing_landed},
+        .absent_when = {nothing_landed, did_not_pass_edge},
         .definition =
             "direction of the momentum of that mass when it passed the first barrier's last edge "
             "(a deflector's tip, or the crest), against the world's horizontal",
         .gauge = [](Readings run, std::size_t) -> Reading {
-          if (!run.launch) return nothing_landed;
+          if (!run.launch) return why_no_launch(run);
           return run.launch->angle / degree;
         }},
     MetricEntry{.key = "launch_speed_m_s",
                 .unit = "m/s",
                 .least = 0.0,
-                .absent_when = {nothing_landed},
+                .absent_when = {nothing_landed, did_not_pass_edge},
                 .definition = "speed of that mean momentum",
                 .gauge = [](Readings run, std::size_t) -> Reading {
-                  return {of(run.launch, &LaunchGauge::Launch::speed), nothing_landed};
+                  return {of(run.launch, &LaunchGauge::Launch::speed), why_no_launch(run)};
                 }},
     MetricEntry{
         .key = "ballistic_launch_length_m",
         .unit = "m",
-        .absent_when = {nothing_landed},
+        .absent_when = {nothing_landed, did_not_pass_edge},
         .definition =
             "hand formula (Ng et al. 2023) for a launch with that speed and angle from the mean "
             "place of the passage, a cross-check of launch_length_m",
         .gauge = [](Readings run, std::size_t) -> Reading {
-          if (!run.launch) return nothing_landed;
+          if (!run.launch) return why_no_launch(run);
           return run.launch->x - run.first_foot_x + ballistic_distance(run, *run.launch);
         }},
     MetricEntry{
@@ -273,10 +280,10 @@ constexpr std::array each_barrier{
         .key = "barrier_K_arrival_time_s",
         .unit = "s",
         .least = 0.0,
-        .absent_when = {too_little_came},
+        .absent_when = {never_near},
         .definition = "time at which 0.5 % of the released mass is within 20 mm of its line",
         .gauge = [](Readings run, std::size_t k) -> Reading {
-          return {run.barriers[k].arrival, too_little_came};
+          return {run.barriers[k].arrival, never_near};
         }},
     MetricEntry{
         .key = "barrier_K_peak_force_n_per_m",
@@ -287,11 +294,11 @@ constexpr std::array each_barrier{
     MetricEntry{.key = "barrier_K_peak_force_time_s",
                 .unit = "s",
                 .least = 0.0,
-                .absent_when = {nothing_came},
+                .absent_when = {no_force},
                 .definition = "time of that force",
                 .gauge = [](Readings run, std::size_t k) -> Reading {
                   const double time = run.barriers[k].peak.force_time;
-                  if (time < 0.0) return nothing_came;
+                  if (time < 0.0) return no_force;
                   return time;
                 }},
     MetricEntry{.key = "barrier_K_peak_moment_nm_per_m",
@@ -306,11 +313,11 @@ constexpr std::array each_barrier{
     MetricEntry{.key = "barrier_K_run_up_height_m",
                 .unit = "m",
                 .least = 0.0,
-                .absent_when = {too_little_came},
+                .absent_when = {never_near},
                 .definition = "largest height above the bed of material within 40 mm upstream of "
                               "the line, above which 0.1 % of the released mass lies",
                 .gauge = [](Readings run, std::size_t k) -> Reading {
-                  if (!run.barriers[k].arrival) return too_little_came;
+                  if (!run.barriers[k].arrival) return never_near;
                   return run.barriers[k].run_up;
                 }},
     MetricEntry{.key = "barrier_K_overtopping_volume_m3_per_m",

@@ -226,6 +226,7 @@ bayesian::SearchOptions make_search_options(const designs::StudySpec& study) {
   }
   options.seed = study.method.seed;
   options.feasibility_tolerance = feasibility_tolerance;
+  options.max_finest = study.method.max_finest_runs / static_cast<double>(event_count(study));
   options.stagnation_evaluations = study.method.stagnation_evaluations;
   options.least_gain = study.method.least_gain;
   return options;
@@ -263,6 +264,8 @@ bayesian::Observation observation(const designs::StudySpec& study, const SearchP
     result.values[k] = quantity_value(problem.metrics[k].quantity, events).value;
   }
   result.seconds = nominal_seconds(record.particle_steps);
+  // A budget of finest runs counts particle steps.
+  if (study.method.max_finest_runs > 0.0) return result;
   for (const designs::FidelityLevel& level : study.fidelity) {
     if (level.spacing == record.spacing && level.seconds) {
       result.seconds = *level.seconds * static_cast<double>(event_count(study));

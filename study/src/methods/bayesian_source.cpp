@@ -10,7 +10,7 @@ BayesianSource::BayesianSource(const StudyContext& context, const SearchProblem&
       problem_(problem),
       search_(search),
       order_(order),
-      lag_(std::max<std::size_t>(1, order == AnswerOrder::by_log ? 1 : lag)),
+      lag_(std::max<std::size_t>(1, lag)),
       log_told_(context.folder.log().records().size(), false) {
   if (order_ != AnswerOrder::as_they_come) return;
   tell_log();
@@ -75,11 +75,12 @@ std::optional<Proposal> BayesianSource::ask() {
   proposal.stage = suggestion->stage;
   proposal.design = to_design(context_.study, problem_.problem.space, suggestion->x);
   proposal.spacing = problem_.spacings[static_cast<std::size_t>(suggestion->level)];
-  if (order_ == AnswerOrder::by_log) {
+  if (order_ == AnswerOrder::by_question) {
     tell_log_before(proposal);
     const bool known = context_.folder.log().find(proposal.design, proposal.spacing) != nullptr;
     // The rest of the log has used the budget up; the question was put without knowing it.
-    if (!known && search_.evaluations() >= context_.study.method.max_evaluations) {
+    const auto used = static_cast<std::size_t>(search_.evaluations()) + questions_.size() - told_;
+    if (!known && used >= static_cast<std::size_t>(context_.study.method.max_evaluations)) {
       return std::nullopt;
     }
   }
@@ -154,8 +155,10 @@ void BayesianSource::finish() {
 }
 
 std::size_t open_questions(int jobs, std::size_t events) {
-  const auto others = static_cast<std::size_t>(std::max(1, jobs) - 1);
-  return 1 + (others + events - 1) / std::max<std::size_t>(1, events);
+  if (jobs <= 1) return 1;
+  const auto others = static_cast<std::size_t>(jobs - 1);
+  constexpr std::size_t own = 1, spare = 1;
+  return own + (others + events - 1) / std::max<std::size_t>(1, events) + spare;
 }
 
 }  // namespace parapet::study

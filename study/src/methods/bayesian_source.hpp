@@ -19,12 +19,10 @@ enum class AnswerOrder {
   as_they_come,
   /// In the order of the questions: question k is put when exactly the answers to the questions
   /// 0 .. k - lag are known. The same questions follow, however fast each simulation is, and an
-  /// interrupted study is resumed by putting them again. Records that no question matches are not
-  /// told.
-  by_question,
-  /// by_question with a lag of 1, and records of other origin are told as well: those that stand in
-  /// the log before the record that answers a question, before that question is answered.
-  by_log
+  /// interrupted study is resumed by putting them again. Records of other origin are told before
+  /// the first question whose answer stands after them in the log, which must have the order of the
+  /// questions.
+  by_question
 };
 
 /// Puts the search's questions and tells it the answers.
@@ -69,7 +67,8 @@ class BayesianSource : public DesignSource {
 };
 
 /// Questions that may be open at once when `jobs` workers share the simulations of designs with so
-/// many events each: enough to keep every worker busy.
+/// many events each: enough to keep every worker busy, and with several jobs one more, so that they
+/// wait less for the slowest.
 std::size_t open_questions(int jobs, std::size_t events);
 
 }  // namespace parapet::study

@@ -100,7 +100,7 @@ std::vector<designs::InputIssue> search_issues(const designs::StudySpec& study) 
 
 std::vector<designs::InputIssue> experiment_issues(const designs::StudySpec& study) {
   try {
-    lay_out_experiments(study);
+    require_experiments_in_budget(study);
   } catch (const designs::InputError& error) {
     return error.issues();
   }

@@ -48,6 +48,19 @@ PoolLimits pool_limits(const designs::Method& method) {
   return {.max_cpu_time = method.max_cpu_time_s, .max_time = method.max_time_s};
 }
 
+/// All simulations are at the finest spacing: their number is their cost over that of the mean one.
+std::size_t affordable_designs(const designs::StudySpec& study) {
+  const double runs = study.method.max_finest_runs;
+  if (runs <= 0.0) return 0;
+  const double events = static_cast<double>(std::max<std::size_t>(1, study.scenarios.size()));
+  constexpr double rounding = 1e-9;
+  return static_cast<std::size_t>(runs / events * (1.0 + rounding));
+}
+
+std::string finest_runs_used(const designs::Method& method) {
+  return fmt::format("the budget of {:g} finest runs is used up", method.max_finest_runs);
+}
+
 /// What ended the pool, unless it was its source.
 std::optional<StudySummary> pool_summary(PoolEnd end, const designs::Method& method) {
   switch (end) {
@@ -56,6 +69,9 @@ std::optional<StudySummary> pool_summary(PoolEnd end, const designs::Method& met
     case PoolEnd::cpu_time:
       return ended(StudyState::done, "cpu_time_limit",
                    fmt::format("the processor time of {:g} s is used up", method.max_cpu_time_s));
+    case PoolEnd::designs:
+      return ended(StudyState::done, optimizer::to_string(Termination::budget),
+                   finest_runs_used(method));
     case PoolEnd::time:
       return ended(StudyState::done, optimizer::to_string(Termination::time_limit),
                    fmt::format("the time of {:g} s is up", method.max_time_s));
@@ -65,8 +81,22 @@ std::optional<StudySummary> pool_summary(PoolEnd end, const designs::Method& met
   return std::nullopt;
 }
 
-StudySummary stop_summary(bayesian::StopReason reason, const designs::Method& method) {
+/// Why nothing could be simulated: only constraints that there are get the blame.
+std::string no_allowed_design(const designs::StudySpec& study) {
+  std::string formulas;
+  for (const designs::Objective& objective : study.objectives) {
+    if (!objective.metric.empty()) continue;
+    formulas += (formulas.empty() ? "" : ", ") + objective_name(objective);
+  }
+  const std::string without_value = "has a value of the objective " + formulas;
+  if (expression_limit_count(study) == 0) return "no design that was tried " + without_value;
+  return "no design satisfies the constraints that need no simulation" +
+         (formulas.empty() ? "" : ", or none of those that do " + without_value);
+}
+
+StudySummary stop_summary(bayesian::StopReason reason, const designs::StudySpec& study) {
   using bayesian::StopReason;
+  const designs::Method& method = study.method;
   const auto done = [&](Termination termination, const std::string& message) {
     return ended(StudyState::done, optimizer::to_string(termination), message);
   };
@@ -75,7 +105,7 @@ StudySummary stop_summary(bayesian::StopReason reason, const designs::Method& me
       return done(Termination::budget,
                   fmt::format("the budget of {} evaluations is used up", method.max_evaluations));
     case StopReason::seconds:
-      return done(Termination::budget, "the budget of processor time is used up");
+      return done(Termination::budget, finest_runs_used(method));
     case StopReason::stagnation:
       return done(Termination::converged, "the last evaluations brought no gain");
     case StopReason::small_gain:
@@ -84,7 +114,7 @@ StudySummary stop_summary(bayesian::StopReason reason, const designs::Method& me
       return done(Termination::converged, "every design that differs has been evaluated");
     case StopReason::no_allowed_design:
       return ended(StudyState::failed, optimizer::to_string(Termination::no_feasible_start),
-                   "no design satisfies the constraints that need no simulation");
+                   no_allowed_design(study));
     case StopReason::none:
       break;
   }
@@ -92,8 +122,7 @@ StudySummary stop_summary(bayesian::StopReason reason, const designs::Method& me
 }
 
 AnswerOrder answer_order(const designs::Method& method, int jobs) {
-  if (method.repeatable) return AnswerOrder::by_question;
-  return jobs <= 1 ? AnswerOrder::by_log : AnswerOrder::as_they_come;
+  return method.repeatable || jobs <= 1 ? AnswerOrder::by_question : AnswerOrder::as_they_come;
 }
 
 /// The search itself proposes only designs that are allowed.
@@ -116,14 +145,15 @@ StudySummary search_bayesian(const StudyContext& context, OutputWriter& writer) 
   bayesian::Search search(problem.problem, options);
   writer.attach(problem, search);
   const std::size_t events = std::max<std::size_t>(1, context.study.scenarios.size());
+  const std::size_t lag = method.repeatable ? open_questions(begun.jobs, events) : 1;
   BayesianSource source(context, problem, search, answer_order(method, context.service.places()),
-                        open_questions(begun.jobs, events));
+                        lag);
   EvaluationPool pool(context, source, pool_limits(method), [&] { writer.search_told(); });
   const PoolEnd end = pool.run();
   source.finish();
   auto summary = pool_summary(end, method);
   if (!summary) summary = all_failed(context);
-  if (!summary) summary = stop_summary(search.stop_reason(), method);
+  if (!summary) summary = stop_summary(search.stop_reason(), context.study);
   // The search and its problem end here: what they know is written now.
   return writer.end(*std::move(summary));
 }
@@ -136,12 +166,14 @@ StudySummary search_experiments(const StudyContext& context) {
   if (count == 0) {
     StudySummary summary =
         ended(StudyState::failed, optimizer::to_string(Termination::no_feasible_start),
-              "no design satisfies the constraints that need no simulation");
+              no_allowed_design(context.study));
     summary.rejected = refused;
     return summary;
   }
   ExperimentSource source(context.study, std::move(experiments));
-  EvaluationPool pool(context, source, pool_limits(context.study.method), {});
+  PoolLimits limits = pool_limits(context.study.method);
+  limits.max_designs = affordable_designs(context.study);
+  EvaluationPool pool(context, source, limits, {});
   auto summary = pool_summary(pool.run(), context.study.method);
   if (!summary) summary = all_failed(context);
   if (!summary) {
@@ -168,7 +200,9 @@ StudySummary search_nlopt(const StudyContext& context) {
                       : optimize_weighted_sum(study, evaluator);
   });
   // The optimiser watches max_time_s itself.
-  EvaluationPool pool(context, source, {.max_cpu_time = study.method.max_cpu_time_s}, {});
+  EvaluationPool pool(
+      context, source,
+      {.max_cpu_time = study.method.max_cpu_time_s, .max_designs = affordable_designs(study)}, {});
   const PoolEnd end = pool.run();
   const optimizer::OptimizeResult result = source.finish();
   StudySummary summary = pool_summary(end, study.method).value_or(summary_of(result));

@@ -28,15 +28,25 @@ Json read_state(const std::filesystem::path& file) {
                        .allowed = "a study folder, as `parapet optimize` writes it"}});
   }
   Json state = designs::parse_json(records::read_own_file(file), file.string());
-  if (!records::is_study_state(state)) {
+  if (const std::string problem = records::state_problem(state); !problem.empty()) {
     const Json format = state.is_object() ? state.value("format", Json()) : Json();
     throw InputError({{.file = file.string(),
                        .pointer = "/format",
                        .value = format.is_null() ? "" : format.dump(),
-                       .problem = "this is not a study's state",
+                       .problem = problem,
                        .allowed = fmt::format("\"{}\"", records::study_state_format)}});
   }
   return state;
+}
+
+/// What `read` gives; a file that does not hold what it should is named.
+template <typename Read>
+auto reading(const std::filesystem::path& file, Read read) {
+  try {
+    return read();
+  } catch (const Json::exception& error) {
+    designs::throw_misread(file, error);
+  }
 }
 
 /// "running", "done" ...; empty when it is not known.
@@ -168,14 +178,25 @@ LoadedStudy load_study_folder(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "study.json";
   records::refuse_links(folder);
   const Json state = read_state(file);
-  LoadedStudy study{
-      .folder = folder,
-      .spec = designs::parse_study(designs::with_visible_texts(state.value("spec", Json())),
-                                   file.string() + " /spec"),
-      .spec_hash = state.value("spec_hash", ""),
-      .provenance = state.value("provenance", Json()),
-      .state = read_run_state(folder / "summary.json"),
-      .designs = {}};
+  LoadedStudy study = reading(file, [&] {
+    return LoadedStudy{
+        .folder = folder,
+        .spec = designs::parse_study(designs::with_visible_texts(state.value("spec", Json())),
+                                     file.string() + " /spec"),
+        .spec_hash = state.value("spec_hash", ""),
+        .provenance = state.value("provenance", Json()),
+        .state = {},
+        .designs = {}};
+  });
+  study.physics = records::physics_numbers(state);
+  if (study.physics.size() > 1) {
+    study.notes.push_back(
+        fmt::format("designs of different physics ({}) stand side by side in this study; their "
+                    "numbers do not compare",
+                    fmt::join(study.physics, ", ")));
+  }
+  const std::filesystem::path summary = folder / "summary.json";
+  study.state = reading(summary, [&] { return read_run_state(summary); });
   read_designs(study);
   if (const auto log = folder / "confirmations.jsonl"; std::filesystem::exists(log)) {
     records::LogContent content = records::read_evaluation_log(log);
@@ -186,9 +207,12 @@ LoadedStudy load_study_folder(const std::filesystem::path& folder) {
   for (const std::string& name : checksums.damaged()) {
     if (!is_advice(name)) study.damage.push_back(checksums.note(name));
   }
-  const bool front_is_sound = std::ranges::count(checksums.damaged(), "pareto.json") == 0;
-  if (front_is_sound) study.front = read_front(study);
-  study.sensitivity = read_sensitivity(folder / "sensitivity.json", study.spec_hash);
+  if (std::ranges::count(checksums.damaged(), "pareto.json") == 0) {
+    study.front = reading(folder / "pareto.json", [&] { return read_front(study); });
+  }
+  const std::filesystem::path sensitivity = folder / "sensitivity.json";
+  study.sensitivity =
+      reading(sensitivity, [&] { return read_sensitivity(sensitivity, study.spec_hash); });
   study.unsettled = unsettled_designs(study);
   return study;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "parapet/designs/error.hpp"
+#include "parapet/records/checksum_list.hpp"
 #include "parapet/study/loaded_study.hpp"
 #include "parapet/study/verify.hpp"
 
@@ -113,6 +114,14 @@ std::vector<StoredRun> runs_of_sweep(const std::filesystem::path& rows) {
 }
 
 }  // namespace
+
+std::vector<std::string> folder_damage(const std::filesystem::path& folder) {
+  if (std::filesystem::exists(folder / "study.json")) return load_study_folder(folder).damage;
+  const records::ChecksumList checksums(folder);
+  std::vector<std::string> damage;
+  for (const std::string& file : checksums.damaged()) damage.push_back(checksums.note(file));
+  return damage;
+}
 
 std::vector<StoredRun> stored_runs(const std::filesystem::path& folder) {
   std::vector<StoredRun> runs;

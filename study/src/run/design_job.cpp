@@ -33,12 +33,12 @@ std::string DesignJob::label(std::size_t event) const {
 }
 
 std::optional<SimulationTask> DesignJob::begin(std::size_t event, int threads) {
-  if (const designs::Scenario* scenario = run_.scenario(event)) {
-    const auto* known = context_.folder.unfinished(run_.design(), run_.spacing(), scenario->name);
-    if (known != nullptr) {
-      keep(event, *known);
-      return std::nullopt;
-    }
+  const designs::Scenario* scenario = run_.scenario(event);
+  const std::string name = scenario == nullptr ? "" : scenario->name;
+  const auto* known = context_.folder.unfinished(run_.design(), run_.spacing(), name);
+  if (known != nullptr) {
+    keep(event, *known);
+    return std::nullopt;
   }
   try {
     return run_.task(event, label(event), threads);
@@ -64,12 +64,21 @@ void DesignJob::keep(std::size_t event, records::Simulation simulation) {
   --open_;
 }
 
+void DesignJob::wait_on_disk() {
+  if (run_.scenario(0) != nullptr || waits_) return;
+  context_.folder.store_simulation(id_, run_.design(), run_.spacing(), designs::Scenario{},
+                                   run_.simulation(0).value(),
+                                   records::study_provenance(context_.study, context_.program));
+  waits_ = true;
+}
+
 records::EvaluationRecord DesignJob::store() const {
   records::EvaluationRecord record = run_.record();
   record.id = id_;
   record.stage = stage_;
   records::set_program(record, context_.program);
   context_.folder.store(record, run_.report(context_.program));
+  if (run_.scenario(0) == nullptr) context_.folder.discard_simulation(id_);
   return record;
 }
 

@@ -63,6 +63,11 @@ bool EvaluationPool::begin_next() {
 }
 
 bool EvaluationPool::limit_reached() {
+  if (limits_.max_designs > 0 &&
+      context_.folder.log().records().size() + flights_.size() >= limits_.max_designs) {
+    end_ = PoolEnd::designs;
+    return true;
+  }
   if (limits_.max_time > 0.0) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
     if (elapsed.count() >= limits_.max_time) {
@@ -133,7 +138,7 @@ std::shared_ptr<EvaluationPool::Flight> EvaluationPool::flight_for(std::size_t n
     ended_ = true;
     return nullptr;
   }
-  const auto flight = std::make_shared<Flight>();
+  auto flight = std::make_shared<Flight>();
   flight->job = std::make_unique<DesignJob>(context_, id_for(number, proposal), proposal.stage,
                                             proposal.design, proposal.spacing);
   flight->design = proposal.design;
@@ -156,9 +161,21 @@ void EvaluationPool::settle(EndedSimulation ended) {
 /// Stores and answers a design whose events have all ended.
 void EvaluationPool::complete(const std::shared_ptr<Flight>& flight) {
   if (!flight->job->complete()) return;
+  if (!context_.study.method.repeatable) {
+    log(flight);
+    return;
+  }
+  if (flights_.front() != flight) flight->job->wait_on_disk();
+  while (!flights_.empty() && flights_.front()->job->complete()) {
+    const std::shared_ptr<Flight> first = flights_.front();
+    log(first);
+  }
+}
+
+void EvaluationPool::log(const std::shared_ptr<Flight>& flight) {
+  std::erase(flights_, flight);
   const records::EvaluationRecord record = flight->job->store();
   if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(record, false);
-  std::erase(flights_, flight);
   for (const std::size_t number : flight->numbers) answer(number, record);
 }
 

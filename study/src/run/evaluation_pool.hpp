@@ -19,15 +19,20 @@ namespace parapet::study {
 
 /// Limits beyond which nothing new is simulated; what is running ends first. 0: none.
 struct PoolLimits {
-  double max_cpu_time = 0.0;  ///< of all designs in the log [s]
-  double max_time = 0.0;      ///< of this run [s]
+  double max_cpu_time = 0.0;    ///< of all designs in the log [s]
+  double max_time = 0.0;        ///< of this run [s]
+  std::size_t max_designs = 0;  ///< in the log
 };
 
-enum class PoolEnd { source_ended, cpu_time, time, cancelled };
+enum class PoolEnd { source_ended, cpu_time, time, designs, cancelled };
 
 /// Evaluates what a source proposes. While the service has a place free, a simulation (a design
 /// under one event) is taken from a queue and handed in; when the queue is empty, the source is
 /// asked. A design that the log holds is answered from there.
+///
+/// With method/repeatable, a design that has ended waits on disk (evaluations/ID-base.json, or one
+/// file for each scenario) until all that were proposed before it stand in the log, so that the
+/// log's order does not depend on which simulation ends first.
 ///
 /// Ids follow the order of the proposals, so that they do not depend on which of several
 /// simulations side by side ends first; a design that an earlier run left incomplete keeps its id.
@@ -65,6 +70,7 @@ class EvaluationPool {
   std::string id_for(std::size_t number, const Proposal& proposal);
   void settle(EndedSimulation ended);
   void complete(const std::shared_ptr<Flight>& flight);
+  void log(const std::shared_ptr<Flight>& flight);
   void answer(std::size_t number, const records::EvaluationRecord& record);
 
   const StudyContext& context_;

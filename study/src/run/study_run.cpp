@@ -30,7 +30,8 @@ StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& o
   if (auto issues = method_issues(study); !issues.empty()) {
     throw designs::InputError(std::move(issues));
   }
-  records::StudyFolder folder(options.folder, study, options.program);
+  records::StudyFolder folder(options.folder, study, options.program,
+                              {.mix_physics = options.mix_physics});
   folder.begin({.jobs = options.jobs, .max_evaluations = study.method.max_evaluations});
   if (options.hooks.on_message) {
     for (const std::string& note : folder.notes()) options.hooks.on_message(note);

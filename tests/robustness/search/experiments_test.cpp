@@ -87,6 +87,69 @@ TEST_F(ExperimentsTest, FullFactorialBeyondTheBudgetIsRefusedAtTheDoor) {
   EXPECT_TRUE(study::method_issues(parsed(with("FULL_FACTORIAL", 9))).empty());
 }
 
+// Counted, not laid out: these would fill the memory.
+TEST_F(ExperimentsTest, CountsComeBeforeDesigns) {
+  Json json = with("FULL_FACTORIAL", 1000);
+  json["method"]["points_per_variable"] = 1000;
+  auto issues = study::method_issues(parsed(json));
+  ASSERT_EQ(issues.size(), 1U);
+  EXPECT_EQ(issues.front().pointer, "/method/max_evaluations");
+  EXPECT_EQ(issues.front().allowed, "at least 1000000");
+  json["variables"]["thickness_m"] =
+      Json::parse(R"({"lower": 0.01, "upper": 0.02, "target": "/barriers/0/thickness_m"})");
+  issues = study::method_issues(parsed(json));
+  ASSERT_EQ(issues.size(), 1U);
+  EXPECT_EQ(issues.front().pointer, "/method/points_per_variable");
+  EXPECT_NE(issues.front().problem.find("1e+09 designs"), std::string::npos)
+      << issues.front().problem;
+  // A million designs of a sequence are sound, and cost nothing before they run.
+  for (const char* algorithm : {"SOBOL", "LATIN_HYPERCUBE"}) {
+    EXPECT_TRUE(study::method_issues(parsed(with(algorithm, 1000000))).empty()) << algorithm;
+  }
+}
+
+TEST_F(ExperimentsTest, StartsCountWhereTheyAreNotAmongTheLevels) {
+  Json json = with("FULL_FACTORIAL", 9);
+  json["method"]["starts"] =
+      Json::parse(R"([{"deflector_angle_deg": 30, "upstream_height_m": 0.04}])");
+  EXPECT_TRUE(study::method_issues(parsed(json)).empty()) << "one of the nine";
+  json["method"]["starts"] =
+      Json::parse(R"([{"deflector_angle_deg": 31, "upstream_height_m": 0.04}])");
+  const auto issues = study::method_issues(parsed(json));
+  ASSERT_EQ(issues.size(), 1U);
+  EXPECT_EQ(issues.front().allowed, "at least 10");
+}
+
+// With a constraint on a formula the designs must be looked at, but no more than the budget kept.
+TEST_F(ExperimentsTest, ConstrainedFactorialIsComparedWhileItIsLaidOut) {
+  Json json = fake_study();
+  json["method"] = Json::parse(
+      R"({"algorithm": "FULL_FACTORIAL", "max_evaluations": 20, "points_per_variable": 900})");
+  const auto issues = study::method_issues(parsed(json));
+  ASSERT_EQ(issues.size(), 1U);
+  EXPECT_EQ(issues.front().pointer, "/method/max_evaluations");
+  json["method"]["points_per_variable"] = 4;
+  EXPECT_TRUE(study::method_issues(parsed(json)).empty()) << "16 less the corner";
+}
+
+// Only constraints that there are get the blame.
+TEST_F(ExperimentsTest, ObjectiveWithoutAValueIsNamed) {
+  Json json = with("BAYESIAN", 6);
+  // Finite on a sliver of the box, which the check of the study may find and the search does not.
+  json["objectives"][1] = {{"name", "sliver"},
+                           {"expression", "sqrt(deflector_angle_deg - 59.9999999)"},
+                           {"goal", "minimize"}};
+  try {
+    const auto summary = run(parsed(json), "out", FakeSimulator());
+    if (summary.state == study::StudyState::failed) {
+      EXPECT_NE(summary.message.find("sliver"), std::string::npos) << summary.message;
+      EXPECT_EQ(summary.message.find("constraints"), std::string::npos) << summary.message;
+    }
+  } catch (const designs::InputError& error) {
+    EXPECT_EQ(error.issues().front().pointer, "/objectives/1/expression");
+  }
+}
+
 TEST_F(ExperimentsTest, RefusedDesignsAreCountedAndNotSimulated) {
   Json json = fake_study();  // a + h <= 1.7 refuses one of nine
   json["method"] = Json::parse(R"({"algorithm": "FULL_FACTORIAL", "max_evaluations": 9})");

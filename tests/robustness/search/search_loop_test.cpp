@@ -61,13 +61,14 @@ TEST_F(SearchLoop, StoppedAnywhereItResumesToTheSameLog) {
 }
 
 TEST_F(SearchLoop, RepeatableSearchDoesNotDependOnTheSpeedOfSimulations) {
-  Json json = fake_study();
-  json["method"]["repeatable"] = true;
-  const auto study = parsed(json);
+  const auto study = parsed(fake_study());
+  EXPECT_TRUE(study.method.repeatable) << "by default";
   run(study, "calm", FakeSimulator(), 3);
+  const std::string log = file_text(folder / "calm/evaluations.jsonl");
   for (const char* out : {"first", "second"}) {
     run(study, out, FakeSimulator({.delays = true, .fails = {}, .cancel_after = -1}), 3);
     EXPECT_EQ(records(out), records("calm"));
+    EXPECT_EQ(file_text(folder / out / "evaluations.jsonl"), log) << "the order too";
   }
   const FakeSimulator disturbed({.delays = true, .fails = {}, .cancel_after = 8});
   run(study, "stopped", disturbed, 3);
@@ -75,10 +76,72 @@ TEST_F(SearchLoop, RepeatableSearchDoesNotDependOnTheSpeedOfSimulations) {
   run(study, "stopped", again, 3);
   EXPECT_EQ(records("stopped"), records("calm"));
   EXPECT_EQ(repetitions(disturbed, again), 0);
+  EXPECT_EQ(file_text(folder / "stopped/evaluations.jsonl"), log);
+  EXPECT_EQ(files("stopped"), files("calm")) << "what waited for the log is gone";
+}
+
+// Whatever the search: a design that ends early waits on disk for those proposed before it.
+TEST_F(SearchLoop, LogHasTheOrderOfTheProposalsForEverySearch) {
+  for (const char* algorithm : {"SOBOL", "LATIN_HYPERCUBE", "FULL_FACTORIAL", "COBYLA"}) {
+    Json json = fake_study();
+    json["method"]["algorithm"] = algorithm;
+    json["method"]["start_count"] = 6;
+    const auto study = parsed(json);
+    const std::string calm = std::string(algorithm) + "-calm", out = algorithm;
+    run(study, calm, FakeSimulator(), 1);
+    const FakeSimulator disturbed({.delays = true, .fails = {}, .cancel_after = 4});
+    run(study, out, disturbed, 4);
+    const FakeSimulator again({.delays = true, .fails = {}, .cancel_after = -1});
+    run(study, out, again, 4);
+    EXPECT_EQ(repetitions(disturbed, again), 0) << algorithm;
+    EXPECT_EQ(file_text(folder / out / "evaluations.jsonl"),
+              file_text(folder / calm / "evaluations.jsonl"))
+        << algorithm;
+  }
+}
+
+// A budget that the clock does not touch: the same designs, stopped and resumed or not.
+TEST_F(SearchLoop, BudgetOfFinestRunsEndsEverySearch) {
+  for (const char* algorithm : {"BAYESIAN", "SOBOL", "COBYLA"}) {
+    Json json = fake_study();
+    json["method"]["algorithm"] = algorithm;
+    json["method"]["max_finest_runs"] = 6;
+    const auto study = parsed(json);
+    const std::string calm = std::string(algorithm) + "-calm", out = algorithm;
+    const auto summary = run(study, calm, FakeSimulator(), 3);
+    EXPECT_EQ(summary.termination, "budget") << algorithm << ": " << summary.message;
+    EXPECT_NE(summary.message.find("6 finest runs"), std::string::npos) << summary.message;
+    EXPECT_EQ(summary.evaluations, 6) << algorithm;
+    const FakeSimulator disturbed({.delays = true, .fails = {}, .cancel_after = 3});
+    run(study, out, disturbed, 3);
+    EXPECT_EQ(run(study, out, FakeSimulator(), 3).evaluations, 6) << algorithm;
+    EXPECT_EQ(records(out), records(calm)) << algorithm;
+    json["method"]["max_finest_runs"] = 8;
+    EXPECT_EQ(run(parsed(json), out, FakeSimulator(), 3).evaluations, 8) << "goes on";
+  }
+}
+
+// Every design takes three simulations, one for each event.
+TEST_F(SearchLoop, BudgetOfFinestRunsCountsEvents) {
+  Json json = fake_study_with_scenarios();
+  json["method"]["max_finest_runs"] = 12;
+  const FakeSimulator simulator;
+  EXPECT_EQ(run(parsed(json), "out", simulator, 2).evaluations, 4);
+  EXPECT_EQ(simulator.ended(), 12);
+  json["method"]["max_finest_runs"] = 2;
+  try {
+    parsed(json);
+    FAIL() << "accepted";
+  } catch (const designs::InputError& error) {
+    EXPECT_EQ(error.issues().front().pointer, "/method/max_finest_runs");
+    EXPECT_NE(error.issues().front().allowed.find("at least 3"), std::string::npos);
+  }
 }
 
 TEST_F(SearchLoop, SeveralJobsResumeFromTheLogAndKeepTheBudget) {
-  const auto study = parsed(fake_study());
+  Json json = fake_study();
+  json["method"]["repeatable"] = false;
+  const auto study = parsed(json);
   const FakeSimulator disturbed({.delays = true, .fails = {}, .cancel_after = 7});
   EXPECT_EQ(run(study, "out", disturbed, 3).state, StudyState::interrupted);
   const auto before = records("out");

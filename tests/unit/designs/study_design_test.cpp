@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "study_fixture.hpp"
 
 namespace parapet::designs {
@@ -63,6 +65,47 @@ TEST(ReadDesign, FindsEverything) {
     for (const InputIssue& issue : read(design.text).issues) lines.push_back(to_string(issue));
     EXPECT_EQ(lines, design.lines);
   }
+}
+
+// What a sum or a conversion of units loses is not beyond a bound.
+TEST(ReadDesign, TakesValuesOneUnitInTheLastPlaceBeyondABoundAsTheBound) {
+  const StudySpec study = parse_study(sound_study(), "s");
+  for (const int steps : {1, 2, 4}) {
+    double high = 0.1, low = 0.03, zero = 0.0;
+    for (int k = 0; k < steps; ++k) {
+      high = std::nextafter(high, 1.0);
+      low = std::nextafter(low, 0.0);
+      zero -= 1e-15;  // of a range of 75
+    }
+    const DesignReading above = read_design(
+        study, Json{{"deflector_angle_deg", zero}, {"upstream_height_m", 0.1}, {"plate_m", high}},
+        "d");
+    ASSERT_TRUE(above.issues.empty()) << to_string(above.issues.front());
+    EXPECT_EQ(above.design.at("plate_m"), 0.1);
+    EXPECT_EQ(above.design.at("deflector_angle_deg"), 0.0);
+    const DesignReading below = read_design(
+        study, Json{{"deflector_angle_deg", 1}, {"upstream_height_m", 0.1}, {"plate_m", low}}, "d");
+    ASSERT_TRUE(below.issues.empty()) << to_string(below.issues.front());
+    EXPECT_EQ(below.design.at("plate_m"), 0.03);
+  }
+  EXPECT_FALSE(
+      read_design(
+          study,
+          Json{{"deflector_angle_deg", 1}, {"upstream_height_m", 0.1}, {"plate_m", 0.1 + 1e-14}},
+          "d")
+          .issues.empty());
+}
+
+// Nor in a case: the schema's own bounds.
+TEST(ReadCase, TakesNumbersOneUnitInTheLastPlaceBeyondABoundAsTheBound) {
+  Json json =
+      Json::parse(R"({"format": "parapet-case/1", "name": "c", "numerics": {"spacing_m": 0.01},
+    "reservoir": {"length_m": 1, "height_m": 1}, "channel": {"length_m": 5}})");
+  json["channel"]["slope_deg"] = std::nextafter(65.0, 100.0);
+  const CaseSpec spec = parse_case(json, "c");
+  EXPECT_EQ(spec.resolved["channel"]["slope_deg"], 65.0);
+  json["channel"]["slope_deg"] = 65.0000001;
+  EXPECT_THROW(parse_case(json, "c"), InputError);
 }
 
 // The same rules for designs as numbers.

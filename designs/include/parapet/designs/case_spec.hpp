@@ -14,6 +14,10 @@ namespace parapet::designs {
 /// JSON whose keys keep the order in which they were written.
 using Json = nlohmann::ordered_json;
 
+/// Says in the words of an InputError what the JSON library found wrong with the content of a file:
+/// for files that Parapet wrote itself, which carry no schema.
+[[noreturn]] void throw_misread(const std::filesystem::path& file, const Json::exception& error);
+
 /// A parsed case file. `resolved` is the same case as JSON with every default written out: reading
 /// it again gives the same case to the bit.
 struct CaseSpec {

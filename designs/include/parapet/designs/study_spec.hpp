@@ -126,7 +126,11 @@ struct Method {
   int points_per_variable = 3;     ///< FULL_FACTORIAL
   int stagnation_evaluations = 0;  ///< BAYESIAN: stop after so many without a gain; 0: never
   double least_gain = 0.0;         ///< BAYESIAN: stop below this expected share of the hypervolume
-  bool repeatable = false;         ///< the same designs for the same jobs, however fast each one is
+  /// The same designs in the same order for the same jobs, however fast each simulation is.
+  bool repeatable = true;
+  /// Largest cost of all simulations, in particle steps over those of the mean simulation at the
+  /// finest spacing; 0: no limit.
+  double max_finest_runs = 0.0;
 };
 
 /// A parsed study file, checked and with every default filled in.

@@ -74,6 +74,7 @@ struct EvaluationRecord {
   std::string case_hash;                  ///< likewise, of what was simulated
   std::string program_version;            ///< of the program that evaluated it; empty: not known
   std::string git_revision;               ///< likewise
+  int physics = 0;                        ///< its solver::physics_number; 0: not known
 };
 
 /// A design that the constraints on formulas refused: it was not simulated.

@@ -7,7 +7,7 @@
 namespace parapet::records {
 
 /// What a folder holds.
-enum class FolderKind { simulation, sweep, study };
+enum class FolderKind { simulation, sweep, study, advice, validation };
 
 /// Makes the folder, or refuses one that is not ours. Ours is a folder that is empty, or that says
 /// by the file `.parapet` or by the format of its results that Parapet wrote results of this kind
@@ -16,8 +16,8 @@ enum class FolderKind { simulation, sweep, study };
 /// @throws FileError
 void open_output_folder(const std::filesystem::path& folder, FolderKind kind);
 
-/// Marks a folder as ours and removes files that a crash left half written. The caller holds its
-/// FolderLock.
+/// Marks a folder as ours and removes files that a crash left half written. Nobody else may write
+/// into it meanwhile: the caller holds its FolderLock, or has just made it.
 /// @throws FileError
 void take_output_folder(const std::filesystem::path& folder, FolderKind kind);
 

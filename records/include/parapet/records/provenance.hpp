@@ -13,12 +13,14 @@ template <typename Record>
 void set_program(Record& record, const ProgramInfo& program) {
   record.program_version = program.version;
   record.git_revision = program.git_revision;
+  if constexpr (requires { record.physics; }) record.physics = program.physics;
 }
 
 /// Name and version of the compiler this library was built with.
 std::string compiler_name();
 
-/// {program_version, compiler, git_revision?, spec_hash}: what holds for a whole study or sweep.
+/// {program_version, physics, compiler, git_revision?, spec_hash}: what holds for a whole study or
+/// sweep.
 designs::Json provenance_json(const ProgramInfo& program, const std::string& spec_hash);
 
 /// The same with spacing_m and integrator of one simulation. The number of threads is left out on

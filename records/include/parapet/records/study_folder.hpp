@@ -23,8 +23,18 @@ namespace parapet::records {
 constexpr const char* study_state_format = "parapet-study-state/2";
 constexpr const char* early_study_state_format = "parapet-study-state/1";
 
-/// Whether study.json is one that this program reads.
-bool is_study_state(const designs::Json& state);
+/// Why study.json is none that this program reads; empty: it is one.
+std::string state_problem(const designs::Json& state);
+
+/// The physics numbers (solver::physics_number) by which the designs of a study were simulated, as
+/// study.json says; a study of version 0.1.0 does not say it and has 1.
+std::vector<int> physics_numbers(const designs::Json& state);
+
+/// How a study's folder is opened.
+struct FolderOptions {
+  std::chrono::milliseconds patience{};  ///< how long to wait for another writer
+  bool mix_physics = false;  ///< whether a study of another physics number may be continued
+};
 
 /// More refused designs are counted in summary.json and not logged.
 constexpr std::size_t most_refused_designs = 10000;
@@ -48,13 +58,11 @@ struct BegunWith {
 class StudyFolder {
  public:
   /// Creates the folder, or opens it when it belongs to the same study (see study_hash).
-  /// @param patience how long to wait for another writer
-  /// @throws designs::InputError when it is not ours, belongs to another study or is being written
-  /// to.
-  ///         Nothing is changed then.
+  /// @throws designs::InputError when it is not ours, belongs to another study, was begun with
+  ///         another physics number, or is being written to. Nothing is changed then.
   /// @throws FileError
   StudyFolder(std::filesystem::path folder, const designs::StudySpec& study,
-              const ProgramInfo& program, std::chrono::milliseconds patience = {});
+              const ProgramInfo& program, FolderOptions options = {});
 
   /// The log of the study.
   const EvaluationLog& log() const { return log_; }
@@ -91,6 +99,10 @@ class StudyFolder {
   void store_simulation(const std::string& id, const designs::Design& design, double spacing,
                         const designs::Scenario& scenario, const Simulation& simulation,
                         const designs::Json& provenance) const;
+
+  /// Removes evaluations/ID-base.json, which held the simulation of a design without scenarios (one
+  /// with an empty name) until the log had it.
+  void discard_simulation(const std::string& id) const;
 
   /// Designs that an earlier run left behind incomplete, by id. Not changed by store().
   const std::vector<UnfinishedDesign>& unfinished() const { return unfinished_; }

@@ -11,7 +11,8 @@
 
 namespace parapet::records {
 
-/// The row as it was finished before by the same version of the program; empty when it must be run.
+/// The row as it was finished before by the same version and physics of the program; empty when it
+/// must be run.
 /// @throws designs::InputError when the file is of another spec or not a result.
 std::optional<SweepRowResult> read_finished_row(const std::filesystem::path& folder,
                                                 const designs::SweepRow& row,

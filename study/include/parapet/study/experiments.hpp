@@ -24,9 +24,13 @@ struct Experiments {
 ///     at most as many different values of an integer, and every option of a choice
 ///   LIST: nothing more
 /// Designs that the constraints on formulas refuse are left out and counted. Sobol' goes on until
-/// enough are allowed, or nearly all of many are refused.
+/// enough are allowed, or 999 of 1000 are refused (19 of 20 where that takes millions of points).
 /// @throws designs::InputError when there are more designs than max_evaluations allows, or too many
 ///         variables for the sequence.
 Experiments lay_out_experiments(const designs::StudySpec& study);
+
+/// The same objections without the list: designs are counted, not laid out, wherever no constraint
+/// on a formula and no condition of a variable decides which ones there are.
+void require_experiments_in_budget(const designs::StudySpec& study);
 
 }  // namespace parapet::study

@@ -25,6 +25,7 @@ struct LoadedStudy {
   bool log_complete = true;              ///< false: a half-written last line was passed over
   std::vector<std::string> damage = {};  ///< a sentence for each damaged line, which is left out,
                                          ///< and for each file that is not what was written
+  std::vector<int> physics = {1};        ///< by which its designs were simulated
   std::vector<std::string> notes = {};   ///< sentences about lines without checksums
   std::vector<records::EvaluationRecord> confirmations = {};  ///< confirmations.jsonl
   std::optional<StoredFront> front = {};                      ///< pareto.json

@@ -58,6 +58,11 @@ class DesignJob {
   /// Whether every event has ended.
   bool complete() const { return open_ == 0; }
 
+  /// Keeps what has ended on disk until store(): nothing is lost in between. With scenarios it is
+  /// there already.
+  /// @throws records::FileError
+  void wait_on_disk();
+
   /// Writes the record of a complete design into the log.
   /// @throws records::FileError
   records::EvaluationRecord store() const;
@@ -71,6 +76,7 @@ class DesignJob {
   std::string stage_;
   DesignRun run_;
   std::size_t open_;  // events that have not ended
+  bool waits_ = false;
 };
 
 }  // namespace parapet::study

@@ -19,6 +19,7 @@ struct StudyRunOptions {
   std::filesystem::path folder;
   int jobs = 1;  ///< simulations side by side
   records::ProgramInfo program;
+  bool mix_physics = false;  ///< whether to continue a study of another physics number
   Hooks hooks;
   ServiceFactory service = local_service();  ///< who simulates
 };

@@ -31,6 +31,10 @@ struct StoredRun {
 /// @throws designs::InputError when the folder holds none of these, or what it holds is damaged
 std::vector<StoredRun> stored_runs(const std::filesystem::path& folder);
 
+/// A sentence for each damaged line and each file of a folder that is not what was written.
+/// @throws designs::InputError when a study's folder cannot be read at all
+std::vector<std::string> folder_damage(const std::filesystem::path& folder);
+
 /// `count` of `total` indices, evenly spread, the first and the last among them; all when there are
 /// no more.
 std::vector<std::size_t> spread_sample(std::size_t total, std::size_t count);

@@ -50,8 +50,10 @@ RunReadings two_barriers() {
 std::vector<RunReadings> runs_of_every_kind() {
   std::vector<RunReadings> runs{open_channel(), two_barriers()};
   runs.emplace_back().deepest = DeepestFlow{0.0, 0.0};  // nothing came to the monitored place
-  RunReadings& nothing = runs.emplace_back();
+  RunReadings nothing;
   nothing.barriers.resize(2);
+  runs.emplace_back(two_barriers()).launch.reset();  // it landed, but passed by the edge
+  runs.push_back(nothing);
   for (const std::size_t full : {0U, 1U}) {
     RunReadings still = runs[full];
     still.energy->rise.reset();

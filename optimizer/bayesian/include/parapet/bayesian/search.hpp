@@ -20,6 +20,7 @@ struct SearchOptions {
   /// one here and asks for the same designs.
   int planned_evaluations = 0;
   double max_seconds = 0.0;        ///< sum of what evaluations cost; 0: no limit
+  double max_finest = 0.0;         ///< the same limit in mean evaluations at level 0; 0: no limit
   int initial_designs = 0;         ///< 0: chosen from the number of variables
   std::vector<Point> starts = {};  ///< asked first, at the finest level
   std::uint64_t seed = 1;
@@ -46,7 +47,7 @@ struct Suggestion {
 enum class StopReason {
   none,              ///< it is not over
   budget,            ///< max_evaluations
-  seconds,           ///< max_seconds
+  seconds,           ///< max_seconds or max_finest
   stagnation,        ///< stagnation_evaluations without a gain
   small_gain,        ///< the expected gain fell below least_gain
   exhausted,         ///< no design is left that differs from those known
