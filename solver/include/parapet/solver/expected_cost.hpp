@@ -18,6 +18,7 @@ struct ExpectedCost {
   double memory = 0.0;         ///< [bytes] at the peak, of one simulation
   double series_memory = 0.0;  ///< [bytes] of it: the time series
 
+  /// Particles times time steps, to which the time of a run is nearly proportional.
   double particle_steps() const { return particles * steps; }
 };
 

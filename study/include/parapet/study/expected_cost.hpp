@@ -24,7 +24,9 @@ struct StudyCost {
   double seconds = 0.0;          ///< at most, of one core, all at the finest spacing
 };
 
+/// Of one case, to its stop time.
 CaseCost case_cost(const designs::CaseSpec& spec);
+/// Of a study, by its budgets; designs that end early make it less.
 StudyCost study_cost(const designs::StudySpec& study);
 
 /// Why a case cannot run: more particles, walls or neighbours than the solver can number, or more
