@@ -48,7 +48,9 @@ void for_each_node(const Json& node, const std::string& pointer, Visit visit) {
   for (const char* map : {"properties", "definitions"}) {
     if (!node.contains(map)) continue;
     for (const auto& [key, part] : node.at(map).items()) {
-      for_each_node(part, pointer + "/" + map + "/" + key, visit);
+      std::string place = pointer;
+      place.append("/").append(map).append("/").append(key);
+      for_each_node(part, place, visit);
     }
   }
   for (const char* one : {"items", "additionalProperties", "propertyNames"}) {
