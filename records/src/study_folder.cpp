@@ -169,9 +169,9 @@ std::vector<UnfinishedDesign> find_unfinished(const std::filesystem::path& folde
 }  // namespace
 
 std::string state_problem(const Json& state) {
-  const Json format = state.is_object() ? state.value("format", Json()) : Json();
-  if (format == study_state_format || format == early_study_state_format) return "";
-  if (!format.is_string() || !format.get<std::string>().starts_with("parapet-study-state/")) {
+  const Json said = state.is_object() ? state.value("format", Json()) : Json();
+  if (said == study_state_format || said == early_study_state_format) return "";
+  if (!said.is_string() || !said.get<std::string>().starts_with("parapet-study-state/")) {
     return "this is not a study's state";
   }
   return std::string("a newer version of the program wrote this; this one reads up to ") +
