@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "parapet/records/evaluation_log.hpp"
+#include "parapet/records/whole_number.hpp"
 
 namespace parapet::records {
 namespace {
@@ -204,7 +205,7 @@ EvaluationRecord record_from_json(const Json& json) {
   record.case_hash = json.value("case_hash", "");
   record.program_version = json.value("program_version", "");
   record.git_revision = json.value("git_revision", "");
-  record.physics = json.value("physics", 0);
+  record.physics = whole_number<int>(json.value("physics", Json(0)));
   if (!json.contains("scenarios")) return record;
   for (const Json& item : json["scenarios"]) record.scenarios.push_back(scenario_from_json(item));
   return record;

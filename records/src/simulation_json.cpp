@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "parapet/records/whole_number.hpp"
+
 namespace parapet::records {
 namespace {
 
@@ -60,7 +62,7 @@ solver::MetricUncertainty uncertainty_from_json(const Json& json) {
           .extrapolated = number_from_json(json.at("extrapolated")),
           .order = number_from_json(json.at("order")),
           .order_observed = json.at("order_observed").get<bool>(),
-          .runs = json.at("runs").get<int>(),
+          .runs = whole_number<int>(json.at("runs")),
           .level_spacing = numbers_from_json(json.at("level_spacings_m")),
           .level_mean = numbers_from_json(json.at("level_means"))};
 }

@@ -7,6 +7,7 @@
 #include "parapet/records/hashes.hpp"
 #include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
+#include "parapet/records/whole_number.hpp"
 
 namespace parapet::records {
 namespace {
@@ -64,7 +65,12 @@ void refuse_other_study(const std::string& file, const Json& state, const Json& 
 /// The physics numbers of the study with this program's among them.
 Json joined_physics(const std::string& file, const Json& state, int own, bool mix,
                     std::vector<std::string>& notes) {
-  std::vector<int> numbers = physics_numbers(state);
+  std::vector<int> numbers;
+  try {
+    numbers = physics_numbers(state);
+  } catch (const Json::exception& error) {
+    designs::throw_misread(file, error);
+  }
   if (std::ranges::find(numbers, own) == numbers.end()) {
     if (!mix) {
       throw InputError({{file, "/physics", Json(numbers).dump(),
@@ -183,7 +189,7 @@ std::vector<int> physics_numbers(const Json& state) {
   std::vector<int> numbers;
   if (stated.is_array()) {
     for (const Json& one : stated) {
-      if (one.is_number_integer()) numbers.push_back(one.get<int>());
+      numbers.push_back(whole_number<int>(one));
     }
   }
   return numbers.empty() ? std::vector<int>{1} : numbers;
@@ -215,8 +221,11 @@ void StudyFolder::begin(const BegunWith& with) {
     write_file_atomically(file, json_text(state));
   }
   try {
-    begun_with_ = {.jobs = begun.value("jobs", with.jobs),
-                   .max_evaluations = begun.value("max_evaluations", with.max_evaluations)};
+    const auto stated = [&](const char* key, int otherwise) {
+      return begun.contains(key) ? whole_number<int>(begun[key]) : otherwise;
+    };
+    begun_with_ = {.jobs = stated("jobs", with.jobs),
+                   .max_evaluations = stated("max_evaluations", with.max_evaluations)};
   } catch (const Json::exception& error) {
     designs::throw_misread(file, error);
   }

@@ -3,6 +3,7 @@
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/hashes.hpp"
 #include "parapet/records/result_json.hpp"
+#include "parapet/records/whole_number.hpp"
 
 namespace parapet::records {
 namespace {
@@ -26,7 +27,7 @@ SweepRowResult row_from_json(const Json& json, const designs::SweepRow& row) {
   }
   result.stop_time = json.at("stop_time_s").get<double>();
   result.stop_reason = json.at("stop_reason").get<std::string>();
-  result.steps = json.at("/statistics/steps"_json_pointer).get<std::int64_t>();
+  result.steps = whole_number<std::int64_t>(json.at("/statistics/steps"_json_pointer));
   result.wall_time = json.at("/timing/wall_time_s"_json_pointer).get<double>();
   return result;
 }
@@ -51,7 +52,7 @@ std::optional<SweepRowResult> read_finished_row(const std::filesystem::path& fol
                                     "\"), or a new folder; choose it with --out"}});
     }
     const auto version = json.at("/provenance/program_version"_json_pointer).get<std::string>();
-    const int physics = json.value("/provenance/physics"_json_pointer, 1);
+    const int physics = whole_number<int>(json.value("/provenance/physics"_json_pointer, Json(1)));
     if (version != program.version || physics != program.physics) return std::nullopt;
     return row_from_json(json, row);
   } catch (const Json::exception& error) {

@@ -70,12 +70,13 @@ Json nearby(const Json& number, std::mt19937& engine) {
   constexpr std::array<double, 8> factors{-1.0, 0.0, 0.5, 0.99, 1.01, 2.0, 10.0, 1000.0};
   const double scaled = number.get<double>() * factors[draw(engine, factors.size())];
   if (number.is_number_float() || draw(engine, 4) == 0) return scaled;
-  return number.get<std::int64_t>() + static_cast<std::int64_t>(draw(engine, 5)) - 2;
+  // Unsigned, so that the largest number has a successor too.
+  return static_cast<std::int64_t>(number.get<std::uint64_t>() + draw(engine, 5) - 2);
 }
 
 void change_object(Json& object, const Json& other, std::mt19937& engine) {
   const std::size_t chosen = object.empty() ? 0 : draw(engine, object.size());
-  const auto member = object.begin() + static_cast<std::ptrdiff_t>(chosen);
+  const auto member = std::next(object.begin(), static_cast<std::ptrdiff_t>(chosen));
   if (object.empty() || draw(engine, 3) == 0) {
     object[object.empty() ? "name" : member.key() + "x"] = other;
   } else {

@@ -188,7 +188,7 @@ LoadedStudy load_study_folder(const std::filesystem::path& folder) {
         .state = {},
         .designs = {}};
   });
-  study.physics = records::physics_numbers(state);
+  study.physics = reading(file, [&] { return records::physics_numbers(state); });
   if (study.physics.size() > 1) {
     study.notes.push_back(
         fmt::format("designs of different physics ({}) stand side by side in this study; their "

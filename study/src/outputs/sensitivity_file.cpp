@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "companion_file.hpp"
+#include "parapet/records/whole_number.hpp"
 
 namespace parapet::study {
 namespace {
@@ -79,7 +80,7 @@ MetricSensitivity read_metric(const Json& json) {
   metric.name = json.at("name").get<std::string>();
   metric.metric = json.at("metric").get<std::string>();
   metric.statistic = json.value("statistic", "");
-  metric.designs = json.at("designs").get<int>();
+  metric.designs = records::whole_number<int>(json.at("designs"));
   metric.q_squared = optional_number(json.at("q_squared"));
   metric.varies = json.at("varies").get<bool>();
   for (const Json& variable : json.at("variables")) {
@@ -117,8 +118,8 @@ std::optional<Sensitivity> read_sensitivity(const std::filesystem::path& file,
                        .spec_hash = spec_hash,
                        .source = json.at("source").get<std::string>(),
                        .domain = json.at("domain").get<std::string>(),
-                       .realisations = json.at("realisations").get<int>(),
-                       .base_points = json.at("base_points").get<int>(),
+                       .realisations = records::whole_number<int>(json.at("realisations")),
+                       .base_points = records::whole_number<int>(json.at("base_points")),
                        .metrics = {}};
     for (const Json& metric : json.at("metrics")) result.metrics.push_back(read_metric(metric));
     return result;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "companion_file.hpp"
+#include "parapet/records/whole_number.hpp"
 
 namespace parapet::study {
 namespace {
@@ -24,7 +25,7 @@ DesignEstimates read_design(const Json& json) {
 
 FrontEntry read_entry(const Json& json) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  return {.evaluations = json.at("evaluations").get<int>(),
+  return {.evaluations = records::whole_number<int>(json.at("evaluations")),
           .cpu_time = optional_number(json.at("cpu_time_s")).value_or(none),
           .hypervolume = optional_number(json.at("hypervolume")).value_or(none)};
 }

@@ -5,6 +5,7 @@
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/records/hashes.hpp"
+#include "parapet/records/whole_number.hpp"
 #include "parapet/study/bayesian_problem.hpp"
 #include "parapet/study/front.hpp"
 #include "parapet/study/sensitivity.hpp"
@@ -80,12 +81,13 @@ std::optional<surrogate::GaussianProcess> stored_process(const Json& surrogates,
                                                          const Json& metric) {
   if (!metric.contains("surrogate") || metric["surrogate"].is_null()) return std::nullopt;
   const Json& process = metric["surrogate"];
-  const surrogate::Layout layout{.group = surrogates.at("/layout/group"_json_pointer),
-                                 .n_levels = surrogates.at("/layout/n_levels"_json_pointer)};
+  const surrogate::Layout layout{
+      .group = records::whole_numbers<int>(surrogates.at("/layout/group"_json_pointer)),
+      .n_levels = records::whole_number<int>(surrogates.at("/layout/n_levels"_json_pointer))};
   const Json& stored = process.at("data");
   const surrogate::Data data{.inputs = matrix_of(stored.at("inputs")),
                              .values = vector_of(stored.at("values")),
-                             .levels = stored.at("levels").get<std::vector<int>>()};
+                             .levels = records::whole_numbers<int>(stored.at("levels"))};
   surrogate::FitOptions options;
   options.warm_start = parameters_of(process);
   options.transform = options.warm_start->transform.kind;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "parapet/records/hashes.hpp"
+#include "parapet/records/whole_number.hpp"
 
 namespace parapet::study {
 namespace {
@@ -51,7 +52,7 @@ SimulationTask task_from_json(const Json& json) {
   task.label = json.at("label").get<std::string>();
   task.design = json.at("design").get<designs::Design>();
   task.scenario = json.at("scenario").get<std::string>();
-  task.threads = json.at("threads").get<int>();
+  task.threads = records::whole_number<int>(json.at("threads"));
   task.spec = designs::parse_case(json.at("case"), "the task " + task.label);
   task.key = records::case_hash(task.spec);
   const auto sent = json.at("key").get<std::string>();

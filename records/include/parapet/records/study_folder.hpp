@@ -28,6 +28,7 @@ std::string state_problem(const designs::Json& state);
 
 /// The physics numbers (solver::physics_number) by which the designs of a study were simulated, as
 /// study.json says; a study of version 0.1.0 does not say it and has 1.
+/// @throws designs::Json::type_error for anything but whole numbers
 std::vector<int> physics_numbers(const designs::Json& state);
 
 /// How a study's folder is opened.
