@@ -16,10 +16,14 @@ class Environment {
  public:
   explicit Environment(std::map<std::string, std::string> variables)
       : variables_(std::move(variables)) {
-    for (const auto& [name, value] : variables_) ::setenv(name.c_str(), value.c_str(), 1);
+    for (const auto& [name, value] : variables_) {
+      ::setenv(name.c_str(), value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread
+    }
   }
   ~Environment() {
-    for (const auto& [name, value] : variables_) ::unsetenv(name.c_str());
+    for (const auto& [name, value] : variables_) {
+      ::unsetenv(name.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
+    }
   }
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;

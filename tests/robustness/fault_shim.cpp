@@ -25,7 +25,7 @@
 namespace {
 
 const char* setting(const char* name) {
-  const char* value = std::getenv(name);
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): at load time
   return value == nullptr ? "" : value;
 }
 

@@ -21,7 +21,7 @@ std::vector<HardStudy> hard_studies() {
 }
 
 int trials(const char* variable, int fallback) {
-  const char* text = std::getenv(variable);
+  const char* text = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): one thread
   return text == nullptr ? fallback : std::atoi(text);
 }
 

@@ -27,10 +27,10 @@ class PicturePixels {
 
   /// 0xRRGGBB
   std::uint32_t at(int x, int y) const {
-    const unsigned char* row =
-        cairo_image_surface_get_data(surface_) + y * cairo_image_surface_get_stride(surface_);
+    const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface_);
+    const unsigned char* row = cairo_image_surface_get_data(surface_) + y * stride;
     std::uint32_t pixel = 0;
-    std::memcpy(&pixel, row + 4 * x, 4);
+    std::memcpy(&pixel, row + std::ptrdiff_t{4} * x, 4);
     return pixel & 0xFFFFFFU;
   }
 

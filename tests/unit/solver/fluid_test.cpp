@@ -69,6 +69,7 @@ TEST(ParticleTable, AssignSizesEveryArrayAndSetsTheGhost) {
   });
   for (int i = 0; i < 2; ++i) {
     const InitialParticle p = fluid.particle(i), &q = two[static_cast<std::size_t>(i)];
+    // All its members are doubles. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     EXPECT_EQ(std::memcmp(&p, &q, sizeof p), 0);
     EXPECT_EQ(fluid.id[static_cast<std::size_t>(i)], i);
   }

@@ -22,6 +22,7 @@ std::string file_text(const std::string& path) {
 
 /// Compares a committed file with what it should hold, or writes it.
 void expect_file(const std::string& path, const std::string& text) {
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread runs
   if (std::getenv("PARAPET_WRITE_PAGES") != nullptr) {
     std::ofstream(path) << text;
     return;
