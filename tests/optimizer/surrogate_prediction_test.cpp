@@ -133,6 +133,31 @@ TEST(LeaveOneOut, EqualsRefittingWithoutTheObservation) {
   EXPECT_NEAR(left_out.coverage_95, covered / 18.0, 1e-15);
 }
 
+TEST(GaussianProcess, ManyObservationsAllPredictButAPartDecidesTheParameters) {
+  const Layout layout = plain_layout(1);
+  constexpr Eigen::Index n = 1000;
+  const Eigen::MatrixXd x = unit_points(n, 1, 3);
+  Data all{x, (6.0 * x.col(0).array()).sin().matrix() + 0.2 * normals(n, 4), {}};
+  Data half;  // more than 800: every second decides
+  half.inputs = x(Eigen::seq(0, n - 1, 2), Eigen::all);
+  half.values = all.values(Eigen::seq(0, n - 1, 2));
+  FitOptions options;
+  options.transform = TransformKind::identity;
+  const GaussianProcess process = GaussianProcess::fit(layout, all, options);
+  const GaussianProcess part = GaussianProcess::fit(layout, half, options);
+  EXPECT_EQ(process.data().values.size(), n);
+  // Values are standardised with all data in one and with half in the other: 1 % apart at most.
+  const LevelParameters &a = process.parameters().levels[0], &b = part.parameters().levels[0];
+  EXPECT_NEAR(a.length_scales(0), b.length_scales(0), 0.05 * b.length_scales(0));
+  EXPECT_NEAR(a.noise, b.noise, 0.05 * b.noise);
+  // Twice the observations: about half the variance, far from it with a part alone.
+  const Eigen::MatrixXd at = column({0.2, 0.5, 0.8});
+  const Eigen::VectorXd ratio =
+      process.predict(at).variance.cwiseQuotient(part.predict(at).variance);
+  EXPECT_GT(ratio.minCoeff(), 0.4);
+  EXPECT_LT(ratio.maxCoeff(), 0.7);
+}
+
 std::string message_of(const Layout& layout, const Data& data, const FitOptions& options) {
   try {
     GaussianProcess::fit(layout, data, options);

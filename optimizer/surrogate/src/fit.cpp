@@ -51,10 +51,10 @@ std::vector<Eigen::VectorXd> starting_points(const ParameterVector& vector, cons
   return points;
 }
 
-/// Every k-th observation, so that about transform_sample are left.
-Data thinned(const Data& data) {
+/// Every k-th observation, so that no more than `most` are left.
+Data thinned(const Data& data, Eigen::Index most) {
   const Eigen::Index n = data.values.size();
-  const Eigen::Index step = (n + transform_sample - 1) / transform_sample;
+  const Eigen::Index step = (n + most - 1) / most;
   Data part;
   const Eigen::Index count = (n + step - 1) / step;
   part.inputs.resize(count, data.inputs.cols());
@@ -116,7 +116,7 @@ TransformKind likeliest_transform(const Layout& layout, const Data& data,
                                   const std::vector<double>& known_noise) {
   constexpr Eigen::Index least_observations = 6;
   if (data.values.size() < least_observations) return TransformKind::identity;
-  const Data part = thinned(data);
+  const Data part = thinned(data, transform_sample);
   const double least = data.values.minCoeff(), greatest = data.values.maxCoeff();
   if (!(greatest > least)) return TransformKind::identity;
   TransformKind best = TransformKind::identity;
@@ -139,9 +139,10 @@ std::vector<LevelParameters> likeliest_parameters(const Layout& layout, const Da
   const ParameterVector vector(layout.n_groups(), layout.n_levels);
   const Priors priors = make_priors(vector, model_noise);
   if (z.size() == 0 || !(z.maxCoeff() > z.minCoeff())) return vector.unpack(priors.centre);
-  const MarginalLikelihood likelihood(layout, data.inputs, z, data.levels, priors);
+  const Data part = thinned({data.inputs, z, data.levels}, most_for_parameters);
+  const MarginalLikelihood likelihood(layout, part.inputs, part.values, part.levels, priors);
   const SmoothFunction function = negative(likelihood);
-  const Budget calls = budget(z.size());
+  const Budget calls = budget(part.values.size());
   Descent best;
   best.value = std::numeric_limits<double>::infinity();
   for (const Eigen::VectorXd& start : starting_points(vector, priors, options)) {

@@ -21,7 +21,8 @@ TransformKind likeliest_transform(const Layout& layout, const Data& data,
                                   const std::vector<double>& known_noise);
 
 /// The levels' parameters (means left at 0) for values z [n] in model units; the priors' centre
-/// where z does not vary or no start has a positive definite matrix.
+/// where z does not vary or no start has a positive definite matrix. Of more than
+/// most_for_parameters observations every k-th decides.
 std::vector<LevelParameters> likeliest_parameters(const Layout& layout, const Data& data,
                                                   const Eigen::VectorXd& z,
                                                   const std::vector<double>& model_noise,

@@ -8,4 +8,8 @@ inline constexpr double log_two_pi = 1.8378770664093454836;
 /// A descent ends when the log-likelihood changes by less [nats].
 inline constexpr double tolerance_nats = 1e-3;
 
+/// A handful of parameters does not need more observations, and each likelihood costs their number
+/// cubed; the process itself is conditioned on all of them.
+inline constexpr int most_for_parameters = 800;
+
 }  // namespace parapet::surrogate
