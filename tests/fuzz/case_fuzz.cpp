@@ -4,6 +4,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace parapet;
+  if (fuzz::quotes_the_library(data, size)) return 0;
   designs::CaseSpec spec;
   if (!fuzz::taken([&] {
         spec = designs::parse_case(designs::parse_json(fuzz::text_of(data, size), "fuzz"), "fuzz");

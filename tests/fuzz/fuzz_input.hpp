@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "parapet/designs/error.hpp"
@@ -16,6 +17,15 @@ inline void require(bool holds, const char* promise) {
   if (holds) return;
   std::fprintf(stderr, "broken promise: %s\n", promise);
   std::abort();
+}
+
+/// What the JSON library's own messages begin with. The fuzzer learns it from the comparison below
+/// and puts it into names, which messages quote: such inputs are left out.
+inline constexpr std::string_view library_words = "json.exception";
+
+inline bool quotes_the_library(const std::uint8_t* data, std::size_t size) {
+  return std::string_view(reinterpret_cast<const char*>(data), size).find(library_words) !=
+         std::string_view::npos;
 }
 
 /// Runs what may refuse its input, by an InputError that names a place and what is allowed;
@@ -30,7 +40,7 @@ bool taken(Function&& function) {
     require(!error.issues().empty(), "an InputError has an issue");
     for (const designs::InputIssue& issue : error.issues()) {
       require(!issue.problem.empty(), "an issue says what is wrong");
-      require(issue.problem.find("json.exception") == std::string::npos,
+      require(issue.problem.find(library_words) == std::string::npos,
               "an issue is in words of this program");
     }
     return false;

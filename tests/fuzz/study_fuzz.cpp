@@ -29,6 +29,7 @@ void try_corner(const designs::StudySpec& study, bool upper) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (fuzz::quotes_the_library(data, size)) return 0;
   designs::StudySpec study;
   if (!fuzz::taken([&] {
         study =
