@@ -8,7 +8,6 @@
 namespace parapet::validation {
 
 using solver::Flow;
-using solver::Vec2;
 
 Balance::Balance(const Flow& flow) : start_(totals(flow)), scale_(norm(start_.momentum)) {}
 

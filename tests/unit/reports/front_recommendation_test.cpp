@@ -168,7 +168,7 @@ TEST_F(Advice, ThreeRefutedPicksAreSaidToBeSo) {
 }
 
 TEST(Verdict, CountsNearDesignsAndSpacingsApart) {
-  const auto verdict = [](std::vector<study::ConfirmationRun> runs) {
+  const auto verdict = [](const std::vector<study::ConfirmationRun>& runs) {
     return study::verdict_of("0007", runs);
   };
   using namespace study::confirmation_stage;

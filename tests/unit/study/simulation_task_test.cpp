@@ -35,6 +35,7 @@ Json through_text(const T& value) {
 }
 
 bool same_bits(double a, double b) {
+  // The bits are what is compared. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
