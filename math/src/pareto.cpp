@@ -94,6 +94,16 @@ std::vector<std::size_t> non_dominated(const std::vector<Objectives>& points) {
   return indices;
 }
 
+bool enter_front(std::vector<Objectives>& front, const Objectives& point) {
+  for (const Objectives& p : front) {
+    check_objectives("a point of the front", p, point.size());
+    if ((p.array() <= point.array()).all()) return false;
+  }
+  std::erase_if(front, [&](const Objectives& p) { return dominates(point, p); });
+  front.push_back(point);
+  return true;
+}
+
 double hypervolume(const std::vector<Objectives>& points, const Objectives& reference) {
   check_objectives("the reference point", reference, std::max<Eigen::Index>(1, reference.size()));
   Rows better;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <stdexcept>
 
 #include "front_checks.hpp"
@@ -22,6 +23,28 @@ TEST(Dominance, OfEqualPointsTheFirstStays) {
                                           vec({1, 2}), vec({1, 3}), vec({0, 9})};
   EXPECT_EQ(non_dominated(points), (std::vector<std::size_t>{1, 2, 5}));
   EXPECT_TRUE(non_dominated({}).empty());
+}
+
+TEST(Dominance, AFrontGrownPointByPointIsThatOfAllPoints) {
+  std::mt19937 engine(5);
+  for (const Eigen::Index m : {1, 2, 3}) {
+    std::vector<Objectives> all, grown;
+    const Objectives reference = Objectives::Constant(m, 5.5);
+    for (int k = 0; k < 120; ++k) {
+      // Few values, so that points repeat and tie.
+      Objectives point(m);
+      for (double& value : point) value = static_cast<double>(engine() % 6U);
+      all.push_back(point);
+      const double before = math::hypervolume(grown, reference);
+      const bool entered = math::enter_front(grown, all.back());
+      const double after = math::hypervolume(grown, reference);
+      EXPECT_TRUE(entered || after == before);
+      EXPECT_EQ(after, math::hypervolume(all, reference)) << "to the last bit";
+    }
+    std::vector<Objectives> front;
+    for (const std::size_t k : non_dominated(all)) front.push_back(all[k]);
+    EXPECT_EQ(grown, front);
+  }
 }
 
 TEST(Hypervolume, ByHand) {

@@ -20,6 +20,8 @@ constexpr int screening_samples = 8;
 /// the surrogates themselves: few data may make them sure of too much.
 constexpr double share_that_doubts = 1e-4;
 
+constexpr double not_computed = -1.0;
+
 }  // namespace
 
 Search::State::State(Problem the_problem, SearchOptions the_options)
@@ -66,17 +68,16 @@ void Search::State::update_history() {
   const bool moved = history_reference.size() == 0 || *reference != history_reference;
   history_reference = *reference;
   std::size_t first = moved ? 0 : history.size();
-  std::vector<math::Objectives> points;
-  double seconds = 0.0;
+  std::vector<math::Objectives> front;
+  double seconds = 0.0, volume = not_computed;
   for (std::size_t k = 0; k < told.size(); ++k) {
     seconds += told[k].seconds;
     const bool counts = told[k].ok && told[k].level == 0 &&
                         meets_limits(problem, told[k].values, options.feasibility_tolerance);
-    if (counts) {
-      if (auto y = minimized(problem, told[k].values)) points.push_back(std::move(*y));
-    }
+    const auto y = counts ? minimized(problem, told[k].values) : std::nullopt;
+    if (y && math::enter_front(front, *y)) volume = not_computed;
     if (k < first) continue;
-    const double volume = math::hypervolume(points, history_reference);
+    if (volume < 0.0) volume = math::hypervolume(front, history_reference);
     const HistoryEntry entry{static_cast<int>(k) + 1, seconds, volume};
     if (k < history.size()) {
       history[k] = entry;

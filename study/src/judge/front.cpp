@@ -72,11 +72,8 @@ std::vector<FrontEntry> make_history(const designs::StudySpec& study,
     ++entry.evaluations;
     entry.cpu_time += record.cpu_time;
     if (counts(study, record)) {
-      front.push_back(to_objectives(minimized_objectives(record)));
-      std::vector<Objectives> kept;
-      for (const std::size_t k : math::non_dominated(front)) kept.push_back(front[k]);
-      front = std::move(kept);
-      entry.hypervolume = math::hypervolume(front, reference);
+      const Objectives y = to_objectives(minimized_objectives(record));
+      if (math::enter_front(front, y)) entry.hypervolume = math::hypervolume(front, reference);
     }
     history.push_back(entry);
   }

@@ -16,6 +16,12 @@ bool dominates(const Objectives& a, const Objectives& b);
 /// Indices of the points that no other point dominates, in their order; of equal points the first.
 std::vector<std::size_t> non_dominated(const std::vector<Objectives>& points);
 
+/// Puts a point into a front unless a point there is as good in everything; takes out those that it
+/// dominates.
+/// @return whether it entered
+/// @throws std::invalid_argument for vectors of different length.
+bool enter_front(std::vector<Objectives>& front, const Objectives& point);
+
 /// Volume that the points dominate below the reference point; points that are not better than it in
 /// every objective add nothing. Exact for any number of objectives (sweep for two, the WFG
 /// algorithm of While, Bradstreet and Barone, IEEE Trans. Evol. Comput. 16 (2012) 86-95, for more);
