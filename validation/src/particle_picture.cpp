@@ -18,7 +18,6 @@ using reports::Canvas;
 using reports::Color;
 using reports::Pixel;
 using reports::PixelBox;
-using solver::Vec2;
 
 namespace {
 
@@ -169,11 +168,11 @@ void draw(CaseRun& run, std::string_view file_name, const ParticlePicture& p) {
                   {1.0, 1.0, 1.0, 1.0});
   if (!p.title.empty()) canvas.text({left, 18.0}, p.title, {1.15 * font, ink, true});
   for (int k = 0; k < n; ++k) {
+    const int row = k / columns, column = k % columns;
     const View view{window,
-                    {left + (k % columns) * (width + gap), top + (k / columns) * (height + gap),
-                     width, height}};
+                    {left + column * (width + gap), top + row * (height + gap), width, height}};
     draw_panel(canvas, p, p.panels[static_cast<std::size_t>(k)], view, range);
-    draw_axes(canvas, view, k % columns == 0, k / columns == rows - 1);
+    draw_axes(canvas, view, column == 0, row == rows - 1);
   }
   draw_color_bar(canvas, {p.width_px - right + 14.0, top, 14.0, rows * height + (rows - 1) * gap},
                  range, p.quantity);

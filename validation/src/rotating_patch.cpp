@@ -122,7 +122,8 @@ Patch computed(const Square& square, const CaseRun& run) {
   Patch patch;
   const Totals start = totals(flow);
   double speeds = 0.0;  // sum m |u|
-  for (std::size_t i = 0; i < static_cast<std::size_t>(n * n); ++i) {
+  const auto count = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+  for (std::size_t i = 0; i < count; ++i) {
     const Fluid& f = std::as_const(flow).fluid();
     speeds += f.mass[i] * std::hypot(f.u[i], f.w[i]);
   }

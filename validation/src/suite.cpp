@@ -25,7 +25,9 @@ std::vector<const Case*> chosen_cases(const std::vector<std::string>& only) {
       if (!names.empty()) names += ", ";
       names += c.name;
     }
-    throw std::invalid_argument("there is no case \"" + name + "\"; allowed: " + names);
+    std::string problem = "there is no case \"";
+    problem.append(name).append("\"; allowed: ").append(names);
+    throw std::invalid_argument(problem);
   }
   return cases;
 }
