@@ -12,4 +12,7 @@ inline constexpr double tolerance_nats = 1e-3;
 /// cubed; the process itself is conditioned on all of them.
 inline constexpr int most_for_parameters = 800;
 
+/// The same for outcomes, of which one call costs several times as much.
+inline constexpr int most_outcomes_for_parameters = 400;
+
 }  // namespace parapet::surrogate

@@ -31,9 +31,16 @@ void check(const Layout& layout, const Eigen::MatrixXd& inputs,
   require(inputs.allFinite(), "an input is not finite");
 }
 
-/// The parameters that maximise the evidence: from the priors' centre and from points drawn from
-/// the priors.
-Eigen::VectorXd likeliest(const ProbitEvidence& evidence, Eigen::Index n, std::uint64_t seed) {
+/// The parameters that maximise the evidence of every k-th outcome, no more than
+/// most_outcomes_for_parameters of them: from the priors' centre and from points drawn from the
+/// priors.
+Eigen::VectorXd likeliest(const Layout& layout, const Eigen::MatrixXd& inputs,
+                          const Eigen::VectorXd& signs, std::uint64_t seed) {
+  const Eigen::Index step =
+      (signs.size() + most_outcomes_for_parameters - 1) / most_outcomes_for_parameters;
+  const auto part = Eigen::seq(0, signs.size() - 1, step);
+  const ProbitEvidence evidence(layout, inputs(part, Eigen::all), signs(part));
+  const Eigen::Index n = (signs.size() + step - 1) / step;
   const SmoothFunction function = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     const double value = -evidence.evaluate(x, gradient);
     gradient = -gradient;
@@ -72,8 +79,8 @@ SuccessModel SuccessModel::fit(const Layout& layout, const Eigen::MatrixXd& inpu
   for (Eigen::Index i = 0; i < signs.size(); ++i) {
     signs(i) = succeeded[static_cast<std::size_t>(i)] ? 1.0 : -1.0;
   }
+  const Eigen::VectorXd x = likeliest(layout, inputs, signs, seed);
   const ProbitEvidence evidence(layout, inputs, signs);
-  const Eigen::VectorXd x = likeliest(evidence, signs.size(), seed);
   model.length_scales_ = x.head(x.size() - 1).array().exp();
   model.amplitude_ = std::exp(x(x.size() - 1));
   model.mean_ = evidence.mean();
