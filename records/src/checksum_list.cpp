@@ -40,7 +40,7 @@ Sums read_list(const fs::path& folder) {
 
 void write_list(const fs::path& folder, const Sums& sums) {
   std::string text;
-  for (const auto& [file, sum] : sums) text += sum + std::string(list_gap) + file + "\n";
+  for (const auto& [file, sum] : sums) text.append(sum).append(list_gap).append(file).append("\n");
   write_file_atomically(folder / checksum_list, text);
 }
 

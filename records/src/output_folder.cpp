@@ -80,7 +80,7 @@ bool holds_results(const fs::path& folder, FolderKind kind) {
 /// What stands there beside lock, marker and files being written; empty for nothing.
 std::string first_entry(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
+    std::string name = entry.path().filename().string();
     if (name != ".lock" && name != marker && !is_written_aside(name)) return name;
   }
   return "";
