@@ -174,8 +174,9 @@ needs another folder.
 
 BAYESIAN and the designs of experiments keep all jobs busy, each simulation on one thread. Which
 designs BAYESIAN tries depends on the number of jobs with which the study was begun, and on nothing
-else; where the spec sets method/repeatable to false, also on how fast each simulation is. NLopt's algorithms try one design at a time after the
-starting ones; its simulations then share the jobs as threads.
+else; where the spec sets method/repeatable to false, also on how fast each simulation is. NLopt's
+algorithms try one design at a time after the starting ones; its simulations then share the jobs as
+threads.
 
 Examples:
   parapet optimize designs/quickstart.json

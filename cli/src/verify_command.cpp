@@ -98,8 +98,9 @@ void add_verify(CLI::App& app, Session& session) {
   add_jobs(*verb, *options, "Simulations side by side; where there are fewer, threads of each");
   verb->footer(
       R"(Prints for each whether all its metrics came out the same to the last bit; exit code 1 when one did
-not, or when a line or a file is not what was written (crc32c, checksums.sha256). Changes nothing in DIR. The number of threads and of jobs plays no part; another revision of the
-program or another compiler may.
+not, or when a line or a file is not what was written (crc32c, checksums.sha256). Changes nothing in
+DIR. The number of threads and of jobs plays no part; another revision of the program or another
+compiler may.
 
 Examples:
   parapet verify runs/quickstart-optimize
