@@ -117,6 +117,7 @@ solver::RunOptions read_run(const Json& resolved) {
   run.stop_time = number(json, "stop_time_s");
   run.series_interval = number(json, "series_interval_s");
   run.frame_interval = number(json, "frame_interval_s");
+  run.until_rest = json.at("until_rest").get<bool>();
   const Json& settled = json.at("settled");
   run.settled.enabled = settled.at("enabled").get<bool>();
   run.settled.window = number(settled, "window_s");

@@ -18,6 +18,8 @@ std::string_view to_string(StopReason reason) {
   switch (reason) {
     case StopReason::end_time:
       return "end_time";
+    case StopReason::metrics_final:
+      return "metrics_final";
     case StopReason::settled:
       return "settled";
     case StopReason::drained:

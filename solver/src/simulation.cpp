@@ -51,6 +51,7 @@ Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std:
   result.reason = std::move(reason);
   switch (stop_reason) {
     case StopReason::end_time:
+    case StopReason::metrics_final:
     case StopReason::settled:
     case StopReason::drained:
       result.status = Status::ok;
@@ -121,9 +122,7 @@ Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Call
         !callbacks.on_progress({flow.time(), options.stop_time, flow.statistics().steps})) {
       return {StopReason::cancelled, "cancelled"};
     }
-    if (gauge([&] { return recorder.settled(options.settled); })) {
-      return {StopReason::settled, ""};
-    }
+    if (const auto end = gauge([&] { return recorder.ended(flow); })) return {*end, ""};
   }
   return {StopReason::end_time, ""};
 }
@@ -138,7 +137,7 @@ Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& 
   FlowSetup setup = channel_setup(scene, numerics, options.threads);
   if (options.profile) setup.timer = &timer;
   Flow flow(std::move(setup));
-  Recorder recorder(scene, flow);
+  Recorder recorder(scene, flow, options);
   Ending ending = run(flow, recorder, options, callbacks);
   Result result = finish(flow, recorder, ending.stop_reason, std::move(ending.reason));
   result.statistics.wall_time =

@@ -10,6 +10,7 @@ constexpr double impact_share = 0.005;  // of the released mass
 constexpr double place_share = 0.010;
 constexpr double landing_height = 0.010;   // [m] of a particle's centre
 constexpr double approach_height = 0.020;  // [m]
+constexpr double rest_share = 0.1;  // of the speed of a fall from the crest: slower, it lies there
 
 }  // namespace
 
@@ -44,6 +45,18 @@ void LaunchGauge::observe(const Fluid& f, double time) {
       landed_mass_ += f.mass[i];
     }
   }
+}
+
+bool LaunchGauge::landing(const Fluid& f) const {
+  if (landed_.empty() || landed_mass_ >= place_share * g_.released_mass) return false;
+  const double fall = std::sqrt(g_.scene->gravity * g_.scene->barriers.front().height);
+  double flying = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    const Vec2 p{f.x[i], f.z[i]};
+    if (landed_[static_cast<std::size_t>(f.id[i])] || g_.lines.front().offset(p) < 0.0) continue;
+    if (std::hypot(f.u[i], f.w[i]) >= rest_share * fall) flying += f.mass[i];
+  }
+  return flying > 0.0 && landed_mass_ + flying >= impact_share * g_.released_mass;
 }
 
 std::vector<LaunchGauge::Landing> LaunchGauge::first_landings() const {

@@ -34,6 +34,9 @@ class LaunchGauge {
   std::optional<Impact> impact() const;
   std::optional<Launch> launch() const;
   double landed_share() const { return landed_mass_ / g_.released_mass; }
+  // Whether what is in the air beyond the first barrier can still change impact and launch: the
+  // first 1 % have not all landed, and with it there would be enough of them.
+  bool landing(const Fluid& fluid) const;
 
  private:
   struct Passage {

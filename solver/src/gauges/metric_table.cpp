@@ -11,6 +11,19 @@ using Readings = const RunReadings&;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
+double one(Readings) {
+  return 1.0;
+}
+double released_volume(Readings run) {
+  return run.released_volume;
+}
+double way_to_barrier(Readings run) {
+  return run.first_foot_x;
+}
+double deflectors_to_barrier(Readings run) {
+  return run.first_foot_x / run.deflector_length.value_or(run.first_foot_x);
+}
+
 constexpr std::string_view front_not_seen = "the front was not seen passing there";
 constexpr std::string_view open_channel_only =
     "gauged in an open channel only: here the barrier backs the flow up";
@@ -56,16 +69,16 @@ constexpr std::array with_barrier{
         .greatest = 1.0,
         .definition =
             "mass upstream of the first barrier's line over the mass released (Eq. 17), at the end",
-        .gauge = [](Readings run, std::size_t) -> Reading {
-          return run.barriers.front().retained;
-        }},
+        .gauge = [](Readings run, std::size_t) -> Reading { return run.barriers.front().retained; },
+        .range = one},
     MetricEntry{
         .key = "retention_efficiency_total",
         .unit = "",
         .least = 0.0,
         .greatest = 1.0,
         .definition = "mass upstream of the last barrier's line over the mass released, at the end",
-        .gauge = [](Readings run, std::size_t) -> Reading { return run.barriers.back().retained; }},
+        .gauge = [](Readings run, std::size_t) -> Reading { return run.barriers.back().retained; },
+        .range = one},
     MetricEntry{
         .key = "launch_length_m",
         .unit = "m",
@@ -138,7 +151,8 @@ constexpr std::array with_barrier{
             "length along the bed, from the first barrier's foot upstream, over which more "
             "material is at rest (slower than 0.1 m/s) than the bed alone can hold, deeper than "
             "1.25 tau_y/(rho g sin slope) (20 to 100 mm), when the overflow lands (or at the end)",
-        .gauge = [](Readings run, std::size_t) -> Reading { return run.dead_zone_length; }},
+        .gauge = [](Readings run, std::size_t) -> Reading { return run.dead_zone_length; },
+        .range = way_to_barrier},
     MetricEntry{.key = "dead_zone_ratio",
                 .unit = "",
                 .least = 0.0,
@@ -147,14 +161,16 @@ constexpr std::array with_barrier{
                 .gauge = [](Readings run, std::size_t) -> Reading {
                   if (!run.deflector_length) return no_deflector;
                   return run.dead_zone_length / *run.deflector_length;
-                }},
+                },
+                .range = deflectors_to_barrier},
     MetricEntry{.key = "overflow_volume_m3_per_m",
                 .unit = "m3/m",
                 .least = 0.0,
                 .definition = "volume that has crossed the first barrier's line",
                 .gauge = [](Readings run, std::size_t) -> Reading {
                   return (1.0 - run.barriers.front().retained) * run.released_volume;
-                }},
+                },
+                .range = released_volume},
     MetricEntry{.key = "peak_overflow_discharge_m2_s",
                 .unit = "m2/s",
                 .least = 0.0,
@@ -275,7 +291,8 @@ constexpr std::array each_barrier{
         .greatest = 1.0,
         .definition =
             "mass upstream of this barrier's line over the mass released (Eq. 17), at the end",
-        .gauge = [](Readings run, std::size_t k) -> Reading { return run.barriers[k].retained; }},
+        .gauge = [](Readings run, std::size_t k) -> Reading { return run.barriers[k].retained; },
+        .range = one},
     MetricEntry{
         .key = "barrier_K_arrival_time_s",
         .unit = "s",
@@ -326,7 +343,8 @@ constexpr std::array each_barrier{
                 .definition = "volume downstream of its line at the end",
                 .gauge = [](Readings run, std::size_t k) -> Reading {
                   return (1.0 - run.barriers[k].retained) * run.released_volume;
-                }},
+                },
+                .range = released_volume},
 };
 
 constexpr bool complete(std::span<const MetricEntry> entries) {

@@ -39,6 +39,9 @@ struct MetricEntry {
   std::array<std::string_view, 2> absent_when = {};
   std::string_view definition;
   Gauge gauge;
+  // Of a quantity that describes the state at the end, and creeps: the range of its values. The
+  // others are settled by an event.
+  double (*range)(const RunReadings& run) = nullptr;
 };
 
 constexpr std::string_view barrier_placeholder = "barrier_K_";
@@ -69,5 +72,9 @@ void for_each_metric(std::size_t n_barriers, Visit visit) {
 
 // All metrics of a run, in the order of results.
 std::vector<Metric> read_metrics(const RunReadings& run);
+
+// Whether a metric differs between two moments of a run; one that creeps, by more than `share` of
+// its range.
+bool metric_moved(const RunReadings& before, const RunReadings& now, double share);
 
 }  // namespace parapet::solver

@@ -18,6 +18,20 @@ std::vector<Metric> read_metrics(const RunReadings& run) {
   return metrics;
 }
 
+bool metric_moved(const RunReadings& before, const RunReadings& now, double share) {
+  bool moved = false;
+  for_each_metric(now.barriers.size(),
+                  [&](const std::string&, const MetricEntry& entry, std::size_t k) {
+                    const Reading a = entry.gauge(before, k), b = entry.gauge(now, k);
+                    if (a.value && b.value && entry.range != nullptr) {
+                      moved = moved || std::abs(*b.value - *a.value) > share * entry.range(now);
+                    } else {
+                      moved = moved || a.value != b.value;
+                    }
+                  });
+  return moved;
+}
+
 RunReadings Recorder::readings() const {
   const std::size_t n_barriers = g_.lines.size();
   const std::vector<double> time = column("time_s");

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "channel_gauge.hpp"
+#include "live_material.hpp"
+#include "metric_table.hpp"
 #include "retention.hpp"
 
 namespace parapet::solver {
@@ -32,8 +34,9 @@ GaugeScene gauge_scene(const Scene& scene, const Flow& flow) {
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, const Flow& flow)
+Recorder::Recorder(const Scene& scene, const Flow& flow, const RunOptions& options)
     : scene_(scene),
+      options_(options),
       g_(gauge_scene(scene_, flow)),
       launch_(g_),
       loads_(scene.barriers.size()),
@@ -92,6 +95,7 @@ void Recorder::sample(Flow& flow) {
   }
   series_.rows.push_back(std::move(row));
   inside_ = std::max<std::int64_t>(inside_, flow.particles_inside_walls());
+  if (options_.settled.enabled && !options_.until_rest) watch_metrics(time);
 }
 
 double Recorder::value(std::size_t row, const std::string& name) const {
@@ -100,15 +104,57 @@ double Recorder::value(std::size_t row, const std::string& name) const {
 }
 
 std::vector<double> Recorder::column(const std::string& name) const {
+  const auto at = std::find(series_.columns.begin(), series_.columns.end(), name);
+  const auto place = static_cast<std::size_t>(at - series_.columns.begin());
   std::vector<double> values;
-  for (std::size_t r = 0; r < series_.rows.size(); ++r) values.push_back(value(r, name));
+  for (const std::vector<double>& row : series_.rows) values.push_back(row[place]);
   return values;
 }
 
-bool Recorder::settled(const SettledRule& rule) const {
-  if (!rule.enabled || series_.rows.empty()) return false;
+// A metric can change while material that it sees has energy, while the overflow is landing, and
+// while slow debris is still on its way to a place that it has not reached.
+bool Recorder::can_still_change(const Flow& flow) const {
+  const Fluid& f = flow.fluid();
+  if (live_energy(g_, f) > options_.settled.kinetic_energy_share * peak_energy_) return true;
+  if (launch_.landing(f)) return true;
+  const double left = options_.stop_time - flow.time();
+  if (g_.lines.empty()) {
+    const BarrierLine end = end_of_gauge(g_);
+    return front_position(g_, f, flow.left_mass()) < end.foot.x &&
+           may_still_arrive(g_, end, f, left);
+  }
+  for (std::size_t k = 0; k < g_.lines.size(); ++k) {
+    if (arrival_[k] < 0.0 && may_still_arrive(g_, g_.lines[k], f, left)) return true;
+  }
+  return false;
+}
+
+void Recorder::watch_metrics(double time) {
+  RunReadings now = readings();
+  if (!quiet_ || metric_moved(quiet_->readings, now, options_.settled.retention_change)) {
+    quiet_ = Quiet{time, std::move(now)};
+  }
+}
+
+// Slow flows take longer for everything: an eighth of the time so far must have changed nothing.
+bool Recorder::metrics_final(const Flow& flow) const {
+  constexpr double quiet_share = 1.0 / 8.0;
+  const double now = flow.time();
+  return quiet_ && now - quiet_->since >= std::max(options_.settled.window, quiet_share * now) &&
+         !can_still_change(flow);
+}
+
+std::optional<StopReason> Recorder::ended(const Flow& flow) const {
+  const SettledRule& rule = options_.settled;
+  if (!rule.enabled || series_.rows.empty()) return std::nullopt;
   const double now = series_.rows.back().front();
-  if (now < rule.earliest_time || now < rule.window) return false;
+  if (now < rule.earliest_time || now < rule.window) return std::nullopt;
+  if (options_.until_rest) return at_rest(now) ? std::optional(StopReason::settled) : std::nullopt;
+  return metrics_final(flow) ? std::optional(StopReason::metrics_final) : std::nullopt;
+}
+
+bool Recorder::at_rest(double now) const {
+  const SettledRule& rule = options_.settled;
   std::vector<double> low(g_.lines.size(), 2.0), high(g_.lines.size(), -1.0);
   for (std::size_t r = series_.rows.size(); r-- > 0;) {
     if (series_.rows[r].front() < now - rule.window) break;

@@ -22,7 +22,9 @@ std::string program_of(const Json& provenance) {
 
 /// Of a record of the base event: a design may have failed although its simulation did not.
 std::optional<bool> simulation_ended_well(const records::EvaluationRecord& record) {
-  if (record.ok || record.stop_reason == "settled" || record.stop_reason == "end_time") return true;
+  for (const char* end : {"metrics_final", "settled", "end_time"}) {
+    if (record.ok || record.stop_reason == end) return true;
+  }
   return record.stop_reason.empty() ? std::nullopt : std::optional(false);
 }
 

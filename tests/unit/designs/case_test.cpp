@@ -79,6 +79,7 @@ TEST(CaseDefaults, AreTheRunDefaults) {
   EXPECT_EQ(run.series_interval, expected.series_interval);
   EXPECT_EQ(run.frame_interval, expected.frame_interval);
   EXPECT_EQ(run.threads, expected.threads);
+  EXPECT_EQ(run.until_rest, expected.until_rest);
   EXPECT_EQ(run.settled.enabled, expected.settled.enabled);
   EXPECT_EQ(run.settled.window, expected.settled.window);
   EXPECT_EQ(run.settled.retention_change, expected.settled.retention_change);
@@ -102,6 +103,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
                  "hydrostatic_start": false, "lattice_jitter": 0.1, "lattice_seed": 9,
                  "integrator": "rk4_explicit"},
     "run": {"stop_time_s": 3, "series_interval_s": 0.01, "frame_interval_s": 0.05,
+            "until_rest": true,
             "settled": {"enabled": false, "window_s": 0.3, "retention_change": 0.01,
                         "kinetic_energy_share": 0.02, "earliest_time_s": 1}}})");
   EXPECT_EQ(spec.name, "test");
@@ -138,6 +140,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
   EXPECT_EQ(spec.run.stop_time, 3.0);
   EXPECT_EQ(spec.run.series_interval, 0.01);
   EXPECT_EQ(spec.run.frame_interval, 0.05);
+  EXPECT_TRUE(spec.run.until_rest);
   EXPECT_FALSE(spec.run.settled.enabled);
   EXPECT_EQ(spec.run.settled.window, 0.3);
   EXPECT_EQ(spec.run.settled.retention_change, 0.01);

@@ -17,7 +17,8 @@ enum class Status { ok, failed, cancelled };
 /// Why a run ended.
 enum class StopReason {
   end_time,       ///< the stop time was reached
-  settled,        ///< retention and kinetic energy no longer change
+  metrics_final,  ///< no metric can change any more
+  settled,        ///< everything is at rest (RunOptions::until_rest)
   drained,        ///< no fluid is left in the domain
   not_a_number,   ///< a particle's state became NaN or infinite
   runaway_speed,  ///< a speed above what the sound speed allows

@@ -11,13 +11,15 @@
 
 namespace parapet::solver {
 
-/// Stop early once nothing that is reported can change any more.
+/// Stop early once no metric can change any more; with RunOptions::until_rest, once all is at rest.
 struct SettledRule {
   bool enabled = true;
-  double window = 0.25;                ///< both rules must hold this long [s]
-  double retention_change = 0.002;     ///< largest change of any barrier's retention in the window
-  double kinetic_energy_share = 1e-3;  ///< kinetic energy in the domain, share of the largest seen
-  double earliest_time = 1.5;          ///< never before this time [s]
+  double window = 0.25;  ///< the rules must hold this long [s], and an eighth of the time so far
+  double retention_change = 0.002;  ///< largest change of any barrier's retention in the window
+  /// Kinetic energy as a share of the largest seen: of the material that can still change a metric,
+  /// without its fastest parcels, 1 % of the released mass; with until_rest of everything in the domain.
+  double kinetic_energy_share = 1e-3;
+  double earliest_time = 0.0;  ///< never before this time [s]
 };
 
 /// How long, how often sampled, on how many threads.
@@ -27,6 +29,9 @@ struct RunOptions {
   double frame_interval = 0.0;     ///< [s]; 0 for no frames
   int threads = 1;                 ///< the answer does not depend on it
   bool profile = false;            ///< measure where the time goes
+  /// Go on until the whole flow is at rest, although no metric can change any more: for pictures,
+  /// series and deposits.
+  bool until_rest = false;
   SettledRule settled;
 };
 

@@ -49,6 +49,41 @@ TEST(LaunchGauge, ReadsTheDirectionAtTheEdgeAndThePlaceOfLanding) {
   EXPECT_DOUBLE_EQ(gauge.launch()->height, 0.20);
 }
 
+TEST(LaunchGauge, TheLandingIsOverWhenTheFirstPerCentIsDownOrTooLittleIsInTheAir) {
+  OverflowScene s;
+  s.scene.barriers = {Barrier{}};  // a fall from its crest ends at about 1 m/s
+  LaunchGauge gauge(s.gauge);
+  Fluid f = fluid_of({{0.9, 0.18, 0.006}, {0.9, 0.18, 0.006}});
+  EXPECT_FALSE(gauge.landing(f)) << "before the first step";
+  gauge.observe(f, 0.0);
+  EXPECT_FALSE(gauge.landing(f)) << "still upstream";
+  put(f, 1.2, 0.1, 1.0, -1.0);
+  gauge.observe(f, 0.1);
+  EXPECT_TRUE(gauge.landing(f)) << "0.6 % in the air will be an impact";
+  put(f, 1.2, 0.1, 0.01, 0.0);
+  EXPECT_FALSE(gauge.landing(f)) << "it lies on the crest";
+  put(f, 1.3, 0.005, 1.0, -2.0);
+  gauge.observe(f, 0.2);
+  EXPECT_FALSE(gauge.landing(f)) << "nothing is in the air";
+  f.x[1] = 1.1;
+  f.w[1] = -1.0;
+  EXPECT_TRUE(gauge.landing(f)) << "the first 1 % are not complete";
+  f.x[1] = 1.35;
+  f.z[1] = 0.004;
+  gauge.observe(f, 0.3);
+  EXPECT_FALSE(gauge.landing(f));
+}
+
+TEST(LaunchGauge, TooLittleInTheAirToBeAnImpact) {
+  OverflowScene s;
+  s.scene.barriers = {Barrier{}};
+  LaunchGauge gauge(s.gauge);
+  Fluid f = one_particle(0.004);
+  put(f, 1.2, 0.1, 1.0, -1.0);
+  gauge.observe(f, 0.1);
+  EXPECT_FALSE(gauge.landing(f));
+}
+
 TEST(LaunchGauge, WhatLiesInThePocketBelowThePlateHasNotPassedTheEdge) {
   OverflowScene s;
   LaunchGauge gauge(s.gauge);

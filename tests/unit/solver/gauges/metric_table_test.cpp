@@ -69,6 +69,24 @@ std::map<std::string, Metric> by_key(const std::vector<Metric>& metrics) {
   return map;
 }
 
+TEST(MetricTable, AMetricThatCreepsMayMoveALittleAndOthersNotAtAll) {
+  const RunReadings before = two_barriers();
+  EXPECT_FALSE(metric_moved(before, before, 0.002));
+  RunReadings now = before;
+  now.barriers[1].retained -= 0.0019;
+  now.dead_zone_length += 0.0019;  // the barrier is 1 m away
+  EXPECT_FALSE(metric_moved(before, now, 0.002));
+  now.barriers[1].retained = before.barriers[1].retained - 0.0021;
+  EXPECT_TRUE(metric_moved(before, now, 0.002));
+  now = before;
+  now.barriers[0].peak.force += 1e-9;
+  EXPECT_TRUE(metric_moved(before, now, 0.002)) << "a larger peak";
+  now = before;
+  now.energy->plateau_time.reset();
+  EXPECT_TRUE(metric_moved(before, now, 0.002)) << "a value that is gone";
+  EXPECT_TRUE(metric_moved(now, before, 0.002)) << "and one that has come";
+}
+
 TEST(MetricTable, EveryKeyStandsOnce) {
   std::set<std::string> keys;
   for (const MetricInfo& info : metric_catalog(2)) {

@@ -1,0 +1,57 @@
+#include "live_material.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "parapet/flow/index.hpp"
+
+namespace parapet::solver {
+namespace {
+
+constexpr double droplet_share = 0.010;  // of the released mass
+constexpr double arrival_share = 0.005;  // of the released mass
+
+double speed_squared(const Fluid& f, std::size_t i) {
+  return f.u[i] * f.u[i] + f.w[i] * f.w[i];
+}
+
+}  // namespace
+
+BarrierLine end_of_gauge(const GaugeScene& g) {
+  constexpr double window = 0.050;  // [m] of kinetic energy and front speed
+  return {{g.gauge_x + window, 0.0}, {1.0, 0.0}};
+}
+
+double live_energy(const GaugeScene& g, const Fluid& f) {
+  const BarrierLine last = g.lines.empty() ? end_of_gauge(g) : g.lines.back();
+  struct Parcel {
+    double energy, mass;  // energy of a kilogramme [J/kg]
+  };
+  std::vector<Parcel> live;
+  for (std::size_t i = 0; i < at(f.n); ++i) {
+    if (last.offset({f.x[i], f.z[i]}) < 0.0) {
+      live.push_back({0.5 * speed_squared(f, i), f.mass[i]});
+    }
+  }
+  std::sort(live.begin(), live.end(), [](const Parcel& a, const Parcel& b) {
+    return a.energy > b.energy || (a.energy == b.energy && a.mass > b.mass);
+  });
+  double droplets = 0.0, energy = 0.0;
+  for (const Parcel& p : live) {
+    droplets += p.mass;
+    if (droplets > droplet_share * g.released_mass) energy += p.mass * p.energy;
+  }
+  return energy;
+}
+
+bool may_still_arrive(const GaugeScene& g, const BarrierLine& line, const Fluid& f, double time) {
+  double mass = 0.0;
+  for (std::size_t i = 0; i < at(f.n); ++i) {
+    const double distance = -line.offset({f.x[i], f.z[i]});
+    if (distance > 0.0 && std::sqrt(speed_squared(f, i)) * time >= distance) mass += f.mass[i];
+  }
+  return mass >= arrival_share * g.released_mass;
+}
+
+}  // namespace parapet::solver
