@@ -112,12 +112,14 @@ FlowSetup developed_flow(double spacing, double time, int refinement) {
   advance_to(flow, time);
   FlowSetup setup = solver::channel_setup(h10_d45(), numerics_of(spacing / refinement), 1);
   setup.particles = refinement == 1 ? particles_of(flow) : refined(flow, refinement);
+  setup.start_sound_speed = flow.sound_speed();
   if (refinement == 1) return setup;
   FlowSetup fresh = setup;
   fresh.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   Flow fine(std::move(fresh));
   advance(fine, std::min(200, 40 * refinement));
   setup.particles = particles_of(fine);
+  setup.start_sound_speed = fine.sound_speed();
   return setup;
 }
 

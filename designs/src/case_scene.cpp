@@ -93,6 +93,7 @@ solver::Numerics read_numerics(const Json& resolved) {
   numerics.spacing = number(json, "spacing_m");
   numerics.smoothing_ratio = number(json, "smoothing_ratio");
   numerics.sound_speed = number(json, "sound_speed_m_s");
+  numerics.sound_speed_floor = number(json, "sound_speed_floor");
   numerics.density_diffusion = number(json, "density_diffusion");
   numerics.shifting_factor = number(json, "shifting_factor");
   numerics.skin_ratio = number(json, "skin_ratio");

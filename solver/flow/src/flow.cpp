@@ -7,6 +7,7 @@
 
 #include "parapet/flow/index.hpp"
 #include "parapet/flow/rheology.hpp"
+#include "parapet/flow/shifting.hpp"
 #include "parapet/flow/stage_timer.hpp"
 #include "parapet/flow/time_step.hpp"
 #include "time_integrator.hpp"
@@ -21,6 +22,9 @@ constexpr double density_limit = 0.5;
 
 constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
 constexpr double shortest_step = 1e-10;  // [s]
+
+constexpr double mach_inverse = 10.0;  // sound over flow: the density stays within a per cent
+constexpr double slack = 0.95;         // a sound speed is kept until one below this share will do
 
 FlowSetup checked(FlowSetup setup) {
   std::string text;
@@ -41,7 +45,9 @@ Flow::Flow(FlowSetup setup)
       integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
                       ? make_rk4_explicit()
                       : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
-      impulses_(at(setup_.n_barriers)) {
+      impulses_(at(setup_.n_barriers)),
+      sound_speed_(setup_.start_sound_speed > 0.0 ? setup_.start_sound_speed
+                                                  : setup_.numerics.sound_speed) {
   fluid_.assign(setup_.particles);
   const std::size_t n = walls_.size();
   first_barrier_point_ = static_cast<int>(n);
@@ -57,15 +63,17 @@ Flow::~Flow() = default;
 
 std::optional<Failure> Flow::check_state() {
   const double rho_0 = setup_.material.density;
-  double speed2 = 0.0, compression = 0.0;
+  double speed2 = 0.0, flow_speed2 = 0.0, compression = 0.0;
   bool finite = true;
   for (std::size_t i = 0; i < at(fluid_.n); ++i) {
     const double s2 = fluid_.u[i] * fluid_.u[i] + fluid_.w[i] * fluid_.w[i];
     speed2 = std::max(speed2, s2);
+    if (!is_spray(fluid_.lambda[i])) flow_speed2 = std::max(flow_speed2, s2);
     compression = std::max(compression, std::abs(fluid_.density[i] / rho_0 - 1.0));
     finite = finite && std::isfinite(s2 + fluid_.density[i] + fluid_.x[i] + fluid_.z[i]);
   }
   max_speed_ = std::sqrt(speed2);
+  flow_speed_ = std::sqrt(flow_speed2);
   if (!finite) return Failure{StopReason::not_a_number, "a particle's state is not a number"};
   statistics_.max_speed = std::max(statistics_.max_speed, max_speed_);
   statistics_.max_density_error = std::max(statistics_.max_density_error, compression);
@@ -79,6 +87,25 @@ std::optional<Failure> Flow::check_state() {
                                                   " % away from the reference density"};
   }
   return std::nullopt;
+}
+
+// Slow flows need no fast sound. The pressures stay as they are, so the densities change.
+void Flow::follow_flow() {
+  const double most = setup_.numerics.sound_speed;
+  const double least = setup_.numerics.sound_speed_floor * most;
+  const double wanted = std::clamp(mach_inverse * flow_speed_, least, most);
+  const bool enough = wanted <= sound_speed_;
+  if (enough && wanted > slack * sound_speed_ && wanted > least) return;
+  if (wanted == sound_speed_) return;
+  const double stretch = (sound_speed_ * sound_speed_) / (wanted * wanted);
+  const double rho_0 = setup_.material.density;
+  for (std::size_t i = 0; i < at(fluid_.n); ++i) {
+    fluid_.density[i] = rho_0 + stretch * (fluid_.density[i] - rho_0);
+    fluid_.density_grad_x[i] *= stretch;
+    fluid_.density_grad_z[i] *= stretch;
+  }
+  pack(&Fluid::pack_shift);
+  sound_speed_ = wanted;
 }
 
 void Flow::remove_departed() {
@@ -106,6 +133,7 @@ std::optional<Failure> Flow::step(double longest) {
     update_pressure();
     if (auto failure = check_state()) return failure;
   }
+  if (setup_.adapt_sound_speed) follow_flow();
   prepare_neighbors();
   update_pressure();
   double max_viscosity = 0.0;
@@ -118,7 +146,9 @@ std::optional<Failure> Flow::step(double longest) {
                                                         : integrator_->default_acoustic_cfl();
   const TimeStepInput input{smoothing_length(),      max_speed_, max_acceleration_, max_viscosity,
                             setup_.material.density, cfl};
-  const double stable = stable_time_step(setup_.numerics, input);
+  Numerics numerics = setup_.numerics;
+  numerics.sound_speed = sound_speed_;
+  const double stable = stable_time_step(numerics, input);
   if (!(stable > shortest_step)) {
     return Failure{StopReason::time_step_collapse,
                    "the stable time step fell to " + std::to_string(stable) + " s"};
@@ -126,7 +156,7 @@ std::optional<Failure> Flow::step(double longest) {
   // whole steps until `longest`, so that samples fall on their times without a tiny last step
   const double dt = longest / std::max(1.0, std::ceil(longest / stable - 1e-9));
   if (setup_.timer) {
-    setup_.timer->count_step(deciding_limit(setup_.numerics, input), dt, stable);
+    setup_.timer->count_step(deciding_limit(numerics, input), dt, stable);
   }
   x_before_ = fluid_.x;
   z_before_ = fluid_.z;

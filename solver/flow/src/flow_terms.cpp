@@ -13,9 +13,9 @@
 namespace parapet::solver {
 namespace {
 
-// Spray is not stretched below this share of rho_0. Closer to 1 than the compression of material at
-// rest it would swell with every bounce.
-constexpr double thinnest_spray = 0.999;
+// Spray is not stretched below rho_0 by more than this share of it, at the largest sound speed.
+// Less than the compression of material at rest, and it would swell with every bounce.
+constexpr double spray_stretch = 0.001;
 
 // Shifting evens out the places like a diffusion of h u_max; kept unchanged for too long it
 // overshoots. A share of dx that a particle may cover at u_max meanwhile: without a bound, runs
@@ -47,7 +47,7 @@ FlowArrays Flow::packed_arrays() {
   FlowConstants c;
   c.kernel = make_kernel(smoothing_length(), numerics.spacing);
   c.smoothing_length = smoothing_length();
-  c.sound_speed = numerics.sound_speed;
+  c.sound_speed = sound_speed_;
   c.reference_density = setup_.material.density;
   c.density_diffusion = numerics.density_diffusion;
   c.gravity_x = setup_.gravity.x;
@@ -93,8 +93,10 @@ void Flow::find_reached_pairs() {
 
 void Flow::update_pressure() {
   const StageScope scope(setup_.timer, Stage::equation_of_state);
-  const double c2 = setup_.numerics.sound_speed * setup_.numerics.sound_speed;
+  const double c2 = sound_speed_ * sound_speed_;
   const double rho_0 = setup_.material.density;
+  const double most = setup_.numerics.sound_speed;
+  const double thinnest_spray = 1.0 - spray_stretch * (most * most / c2);
   for (std::size_t i = 0; i < at(fluid_.n); ++i) {
     if (is_alone(fluid_.closeness[i])) fluid_.density[i] = rho_0;
     fluid_.pressure[i] = c2 * (fluid_.density[i] - rho_0);

@@ -114,6 +114,8 @@ std::vector<std::string> numerics_errors(const Numerics& n) {
   f.require(n.smoothing_ratio >= 1.1 && n.smoothing_ratio <= 3.0, "smoothing ratio",
             n.smoothing_ratio, "", "1.1 to 3");
   f.require(n.sound_speed > 0.0, "sound speed", n.sound_speed, "m/s", "more than 0");
+  f.require(n.sound_speed_floor > 0.0 && n.sound_speed_floor <= 1.0, "sound speed floor",
+            n.sound_speed_floor, "", "more than 0 to 1");
   f.require(n.density_diffusion >= 0.0 && n.density_diffusion <= 0.3, "density diffusion",
             n.density_diffusion, "", "0 to 0.3");
   f.require(n.shifting_factor >= 0.0 && n.shifting_factor <= 2.0, "shifting factor",

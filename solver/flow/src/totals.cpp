@@ -9,7 +9,7 @@ Totals totals(const Flow& flow) {
   const Fluid& f = flow.fluid();
   const Vec2 g = flow.setup().gravity;
   const double central = flow.setup().central_force;
-  const double rho_0 = flow.setup().material.density, c = flow.setup().numerics.sound_speed;
+  const double rho_0 = flow.setup().material.density, c = flow.sound_speed();
   for (std::size_t i = 0; i < at(f.n); ++i) {
     const double m = f.mass[i], compression = f.density[i] / rho_0 - 1.0;
     t.mass += m;

@@ -58,6 +58,7 @@ TEST(CaseDefaults, AreTheNumericsDefaults) {
   EXPECT_EQ(numerics.spacing, expected.spacing);
   EXPECT_EQ(numerics.smoothing_ratio, expected.smoothing_ratio);
   EXPECT_EQ(numerics.sound_speed, expected.sound_speed);
+  EXPECT_EQ(numerics.sound_speed_floor, expected.sound_speed_floor);
   EXPECT_EQ(numerics.density_diffusion, expected.density_diffusion);
   EXPECT_EQ(numerics.shifting_factor, expected.shifting_factor);
   EXPECT_EQ(numerics.skin_ratio, expected.skin_ratio);
@@ -96,7 +97,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
     "reservoir": {"length_m": 0.4, "height_m": 0.25},
     "material": {"density_kg_m3": 1500, "yield_stress_pa": 10, "consistency_pa_sn": 2,
                  "flow_index": 0.9, "cutoff_shear_rate_per_s": 0.2},
-    "numerics": {"spacing_m": 0.02, "smoothing_ratio": 1.5, "sound_speed_m_s": 50,
+    "numerics": {"spacing_m": 0.02, "smoothing_ratio": 1.5, "sound_speed_m_s": 50, "sound_speed_floor": 0.75,
                  "density_diffusion": 0.2, "shifting_factor": 0.5, "skin_ratio": 0.3,
                  "cfl_acoustic": 0.4, "cfl_force": 0.2, "cfl_viscous": 0.1,
                  "cg_tolerance_m_s2": 0.001, "steps_per_solve": 2, "cg_max_iterations": 7.0,
@@ -124,6 +125,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
   EXPECT_EQ(spec.numerics.spacing, 0.02);
   EXPECT_EQ(spec.numerics.smoothing_ratio, 1.5);
   EXPECT_EQ(spec.numerics.sound_speed, 50.0);
+  EXPECT_EQ(spec.numerics.sound_speed_floor, 0.75);
   EXPECT_EQ(spec.numerics.density_diffusion, 0.2);
   EXPECT_EQ(spec.numerics.shifting_factor, 0.5);
   EXPECT_EQ(spec.numerics.skin_ratio, 0.3);

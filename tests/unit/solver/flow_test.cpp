@@ -77,6 +77,65 @@ TEST(Flow, APoolKeepsItsMassAndWeighsOnItsWalls) {
   EXPECT_EQ(flow.particles_inside_walls(), 0);
 }
 
+// A block that flies at 0.8 m/s, and far from it a particle at 3 m/s.
+FlowSetup flight(double floor) {
+  FlowSetup setup;
+  setup.numerics.spacing = 0.01;
+  setup.numerics.sound_speed = 10.0;
+  setup.numerics.sound_speed_floor = floor;
+  setup.adapt_sound_speed = true;
+  setup.particles = lattice_block(0.0, 0.0, 0.1, 0.1, 0.01, setup.material.density);
+  for (InitialParticle& p : setup.particles) p.u = 0.8;
+  const InitialParticle last = setup.particles.back();
+  setup.particles.push_back({5.0, 0.0, 3.0, 0.0, last.density, last.mass});
+  return setup;
+}
+
+TEST(Flow, TheSoundSpeedIsTenTimesTheFastestParticleThatIsNotSpray) {
+  Flow flow(flight(0.5));
+  ASSERT_FALSE(flow.step(1.0));
+  EXPECT_EQ(flow.sound_speed(), 10.0) << "the gradients do not know yet who is alone";
+  for (int k = 0; k < 6; ++k) ASSERT_FALSE(flow.step(1.0));
+  EXPECT_NEAR(flow.sound_speed(), 8.0, 0.01) << "nothing accelerates the block";
+  Flow bounded(flight(0.9));
+  for (int k = 0; k < 6; ++k) ASSERT_FALSE(bounded.step(1.0));
+  EXPECT_EQ(bounded.sound_speed(), 9.0) << "the floor";
+}
+
+TEST(Flow, AnotherSoundSpeedLeavesThePressuresAsTheyAre) {
+  FlowSetup slow = pool(), constant = pool();
+  slow.numerics.cfl_acoustic = 0.25;  // of both the same step: only the sound speed differs
+  constant.numerics.cfl_acoustic = 0.5;
+  slow.numerics.sound_speed_floor = 0.5;
+  slow.adapt_sound_speed = true;
+  Flow a(slow), b(constant);
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_FALSE(a.step(0.0005));
+    ASSERT_FALSE(b.step(0.0005));
+  }
+  ASSERT_EQ(a.sound_speed(), 5.0);
+  ASSERT_EQ(b.sound_speed(), 10.0);
+  a.refresh();
+  b.refresh();
+  double most = 0.0, difference = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(a.fluid().n); ++i) {
+    ASSERT_EQ(a.fluid().id[i], b.fluid().id[i]);
+    most = std::max(most, b.fluid().pressure[i]);
+    difference = std::max(difference, std::abs(a.fluid().pressure[i] - b.fluid().pressure[i]));
+  }
+  // densities differ four times as much from rho_0: without the change of scale the pressures would
+  // be a quarter
+  EXPECT_LT(difference, 0.05 * most);
+  EXPECT_NEAR(totals(a).mass, totals(b).mass, 1e-12 * totals(b).mass);
+}
+
+TEST(Flow, AFlowGoesOnFromDensitiesOfAnotherSoundSpeed) {
+  FlowSetup setup = flight(0.5);
+  setup.start_sound_speed = 6.0;
+  const Flow flow(setup);
+  EXPECT_EQ(flow.sound_speed(), 6.0);
+}
+
 TEST(Flow, GoesOnWhenTheLastParticleHasLeft) {
   FlowSetup setup;
   setup.numerics.spacing = 0.01;

@@ -59,7 +59,8 @@ TEST(SceneChecks, NumericsAndRunOptions) {
   numerics.spacing = -1.0;
   numerics.cg_max_iterations = 0;
   numerics.steps_per_solve = 0;
-  EXPECT_EQ(numerics_errors(numerics).size(), 3u);
+  numerics.sound_speed_floor = 1.1;
+  EXPECT_EQ(numerics_errors(numerics).size(), 4u);
   RunOptions options;
   options.threads = 0;
   ASSERT_EQ(run_errors(options).size(), 1u);

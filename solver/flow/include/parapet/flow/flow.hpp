@@ -51,6 +51,10 @@ struct FlowSetup {
   std::vector<InitialParticle> particles;  ///< [n_released]
   int n_barriers = 0;  ///< faces name a load cell in 0 .. n_barriers - 1, or none (-1)
   WallSlip wall_slip = WallSlip::no_slip;
+  /// Whether the sound speed follows the flow between its floor and numerics.sound_speed.
+  bool adapt_sound_speed = false;
+  /// The one that the densities of the particles belong to [m/s]; 0: numerics.sound_speed.
+  double start_sound_speed = 0.0;
   double periodic_length = 0.0;       ///< along x, from 0 [m]; 0: not periodic
   double outlet_x = 1e9;              ///< material beyond it has left [m]
   double ceiling_z = 1e9;             ///< material above it has left [m]
@@ -97,8 +101,9 @@ class Flow {
   /// @return nothing when all went well; after a failure the flow is not to be used any more.
   std::optional<Failure> step(double longest);
 
-  double time() const { return time_; }          ///< [s]
-  double last_time_step() const { return dt_; }  ///< [s]; 0 before the first step
+  double time() const { return time_; }                ///< [s]
+  double last_time_step() const { return dt_; }        ///< [s]; 0 before the first step
+  double sound_speed() const { return sound_speed_; }  ///< of the equation of state now [m/s]
   /// What the run cost so far and how the numerics behaved.
   const RunStatistics& statistics() const { return statistics_; }
 
@@ -168,6 +173,7 @@ class Flow {
 
  private:
   std::optional<Failure> check_state();
+  void follow_flow();
   void stop_at_walls();
   FlowArrays packed_arrays();                   // with the records as they are
   void pack(void (Fluid::*records)(int, int));  // brings some of them up to date
@@ -187,6 +193,7 @@ class Flow {
   std::vector<Departure> departures_;
   std::vector<double> x_before_, z_before_, u_before_, w_before_;
   RunStatistics statistics_;
+  double sound_speed_, flow_speed_ = 0.0;  // [m/s]; of the fastest particle that is not spray
   double time_ = 0.0, dt_ = 0.0, max_speed_ = 0.0, max_acceleration_ = 0.0, left_mass_ = 0.0;
 };
 
