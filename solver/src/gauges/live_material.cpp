@@ -12,8 +12,8 @@ namespace {
 constexpr double droplet_share = 0.010;  // of the released mass
 constexpr double arrival_share = 0.005;  // of the released mass
 
-double speed_squared(const Fluid& f, std::size_t i) {
-  return f.u[i] * f.u[i] + f.w[i] * f.w[i];
+double energy_of_kilogramme(const Fluid& f, std::size_t i) {
+  return 0.5 * (f.u[i] * f.u[i] + f.w[i] * f.w[i]);  // [J/kg]
 }
 
 }  // namespace
@@ -26,12 +26,12 @@ BarrierLine end_of_gauge(const GaugeScene& g) {
 double live_energy(const GaugeScene& g, const Fluid& f) {
   const BarrierLine last = g.lines.empty() ? end_of_gauge(g) : g.lines.back();
   struct Parcel {
-    double energy, mass;  // energy of a kilogramme [J/kg]
+    double energy, mass;
   };
   std::vector<Parcel> live;
   for (std::size_t i = 0; i < at(f.n); ++i) {
     if (last.offset({f.x[i], f.z[i]}) < 0.0) {
-      live.push_back({0.5 * speed_squared(f, i), f.mass[i]});
+      live.push_back({energy_of_kilogramme(f, i), f.mass[i]});
     }
   }
   std::sort(live.begin(), live.end(), [](const Parcel& a, const Parcel& b) {
@@ -49,7 +49,8 @@ bool may_still_arrive(const GaugeScene& g, const BarrierLine& line, const Fluid&
   double mass = 0.0;
   for (std::size_t i = 0; i < at(f.n); ++i) {
     const double distance = -line.offset({f.x[i], f.z[i]});
-    if (distance > 0.0 && std::sqrt(speed_squared(f, i)) * time >= distance) mass += f.mass[i];
+    if (distance > 0.0 && std::sqrt(2.0 * energy_of_kilogramme(f, i)) * time >= distance)
+      mass += f.mass[i];
   }
   return mass >= arrival_share * g.released_mass;
 }
