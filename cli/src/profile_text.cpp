@@ -56,6 +56,10 @@ std::string profile_text(const solver::Profile& profile, const solver::RunStatis
       "  a particle has {:.1f} fluid neighbours and {:.2f} wall points within reach (means over "
       "the renewals); its row has {:.2f} slots for each\n",
       profile.fluid_neighbors, profile.wall_neighbors, profile.slots_per_pair);
+  text += fmt::format(
+      "  {:.1f} % of the steps came after the last change of any metric; {:.1f} % of the "
+      "particle-steps were spent on material at rest\n",
+      100.0 * profile.steps_after_last_change, 100.0 * profile.rest_share);
   return text;
 }
 

@@ -58,6 +58,8 @@ Json profile_json(const solver::Profile& profile) {
   json["fluid_neighbors_mean"] = profile.fluid_neighbors;
   json["wall_neighbors_mean"] = profile.wall_neighbors;
   json["slots_per_pair"] = profile.slots_per_pair;
+  json["steps_after_last_change"] = profile.steps_after_last_change;
+  json["rest_share"] = profile.rest_share;
   return json;
 }
 

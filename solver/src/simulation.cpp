@@ -142,7 +142,10 @@ Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& 
   Result result = finish(flow, recorder, ending.stop_reason, std::move(ending.reason));
   result.statistics.wall_time =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (options.profile) result.profile = timer.profile();
+  if (options.profile) {
+    result.profile = timer.profile();
+    recorder.add_to(*result.profile);
+  }
   return result;
 }
 

@@ -35,6 +35,7 @@ solver::Result simulated(const solver::Scene& scene, const solver::Numerics& num
   callbacks.on_frame = on_frame;
   solver::RunOptions options;
   options.frame_interval = frame_interval;
+  options.until_rest = frame_interval > 0.0;  // pictures show what the barriers hold at last
   callbacks.on_progress = [&](const solver::Progress&) {
     run.check_cancelled();
     return true;

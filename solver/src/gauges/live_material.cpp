@@ -9,7 +9,6 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double droplet_share = 0.010;  // of the released mass
 constexpr double arrival_share = 0.005;  // of the released mass
 
 double energy_of_kilogramme(const Fluid& f, std::size_t i) {
@@ -23,7 +22,7 @@ BarrierLine end_of_gauge(const GaugeScene& g) {
   return {{g.gauge_x + window, 0.0}, {1.0, 0.0}};
 }
 
-double live_energy(const GaugeScene& g, const Fluid& f) {
+double live_energy(const GaugeScene& g, const Fluid& f, double droplets) {
   const BarrierLine last = g.lines.empty() ? end_of_gauge(g) : g.lines.back();
   struct Parcel {
     double energy, mass;
@@ -37,10 +36,10 @@ double live_energy(const GaugeScene& g, const Fluid& f) {
   std::sort(live.begin(), live.end(), [](const Parcel& a, const Parcel& b) {
     return a.energy > b.energy || (a.energy == b.energy && a.mass > b.mass);
   });
-  double droplets = 0.0, energy = 0.0;
+  double mass = 0.0, energy = 0.0;
   for (const Parcel& p : live) {
-    droplets += p.mass;
-    if (droplets > droplet_share * g.released_mass) energy += p.mass * p.energy;
+    mass += p.mass;
+    if (mass > droplets * g.released_mass) energy += p.mass * p.energy;
   }
   return energy;
 }

@@ -11,9 +11,9 @@ BarrierLine end_of_gauge(const GaugeScene& g);
 
 // Kinetic energy of what is upstream of the last barrier's line, or of the end of an open channel's
 // gauge [J/m]: only this can pass a line, load a barrier or move a front; what has passed runs
-// away. Left out are the fastest parcels of it, 1 % of the released mass: single droplets decide no
-// metric.
-double live_energy(const GaugeScene& g, const Fluid& fluid);
+// away. Left out are its fastest parcels, a share `droplets` of the released mass: single droplets
+// decide no metric.
+double live_energy(const GaugeScene& g, const Fluid& fluid, double droplets);
 
 // Whether 0.5 % of the released mass are upstream of the line and, each at its present speed, would
 // reach it within a time [s].

@@ -96,6 +96,30 @@ void Recorder::sample(Flow& flow) {
   series_.rows.push_back(std::move(row));
   inside_ = std::max<std::int64_t>(inside_, flow.particles_inside_walls());
   if (options_.settled.enabled && !options_.until_rest) watch_metrics(time);
+  if (options_.profile) moments_.push_back({flow.statistics().steps, readings()});
+}
+
+void Recorder::count_at_rest(const Fluid& f) {
+  constexpr double share = 0.01;  // of the speed of a fall from the reservoir's height
+  const double rest2 = share * share * 2.0 * scene_.gravity * scene_.reservoir_height;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    particle_steps_at_rest_ += f.u[i] * f.u[i] + f.w[i] * f.w[i] < rest2;
+  }
+  particle_steps_ += f.n;
+}
+
+void Recorder::add_to(Profile& profile) const {
+  if (moments_.empty() || particle_steps_ == 0) return;
+  profile.rest_share =
+      static_cast<double>(particle_steps_at_rest_) / static_cast<double>(particle_steps_);
+  const Moment& end = moments_.back();
+  std::size_t last = moments_.size() - 1;  // the first moment with the metrics of the end
+  while (last > 0 && !metric_moved(moments_[last - 1].readings, end.readings,
+                                   options_.settled.retention_change)) {
+    --last;
+  }
+  profile.steps_after_last_change =
+      static_cast<double>(end.steps - moments_[last].steps) / static_cast<double>(end.steps);
 }
 
 double Recorder::value(std::size_t row, const std::string& name) const {
@@ -115,7 +139,10 @@ std::vector<double> Recorder::column(const std::string& name) const {
 // while slow debris is still on its way to a place that it has not reached.
 bool Recorder::can_still_change(const Flow& flow) const {
   const Fluid& f = flow.fluid();
-  if (live_energy(g_, f) > options_.settled.kinetic_energy_share * peak_energy_) return true;
+  const SettledRule& rule = options_.settled;
+  // what passes unseen may not be more than what retention may move by
+  const double energy = live_energy(g_, f, rule.retention_change);
+  if (energy > rule.kinetic_energy_share * peak_energy_) return true;
   if (launch_.landing(f)) return true;
   const double left = options_.stop_time - flow.time();
   if (g_.lines.empty()) {

@@ -23,6 +23,7 @@ class Recorder {
   void after_step(Flow& flow) {
     launch_.observe(flow.fluid(), flow.time());
     loads_.observe(flow.take_impulses(), flow.last_time_step(), flow.time());
+    if (options_.profile) count_at_rest(flow.fluid());
   }
   void sample(Flow& flow);
   // After a sample: why the run may end there; nothing when it has to go on.
@@ -30,6 +31,8 @@ class Recorder {
   std::vector<Metric> metrics() const;
   Series take_series() { return std::move(series_); }
   std::int64_t max_particles_inside_walls() const { return inside_; }
+  // What a profile says of the run beyond its times. Needs RunOptions::profile.
+  void add_to(Profile& profile) const;
 
  private:
   // Since when no metric has moved.
@@ -38,7 +41,14 @@ class Recorder {
     RunReadings readings;
   };
 
+  // The metrics at a sample, for the profile.
+  struct Moment {
+    std::int64_t steps;
+    RunReadings readings;
+  };
+
   RunReadings readings() const;
+  void count_at_rest(const Fluid& fluid);
   bool can_still_change(const Flow& flow) const;
   void watch_metrics(double time);
   bool metrics_final(const Flow& flow) const;
@@ -56,6 +66,8 @@ class Recorder {
   std::int64_t inside_ = 0;
   double peak_energy_ = 0.0;
   std::optional<Quiet> quiet_;
+  std::vector<Moment> moments_;
+  std::int64_t particle_steps_ = 0, particle_steps_at_rest_ = 0;
 };
 
 }  // namespace parapet::solver

@@ -138,6 +138,9 @@ TEST(Profile, AccountsForTheWholeRun) {
   EXPECT_LT(p.fluid_neighbors, 22.0);
   EXPECT_GE(p.slots_per_pair, 1.0);
   EXPECT_GE(p.step_shortening, 0.0);
+  EXPECT_GT(p.rest_share, 0.0) << "the block starts at rest";
+  EXPECT_LT(p.rest_share, 0.5) << "and is still flowing at the end";
+  EXPECT_LT(p.steps_after_last_change, 0.1) << "so that its metrics still change";
   double sum = 0.0;
   for (const StageTime& stage : p.stages) {
     EXPECT_GE(stage.seconds, 0.0) << stage.name;
@@ -145,6 +148,27 @@ TEST(Profile, AccountsForTheWholeRun) {
     sum += stage.seconds / p.seconds();
   }
   EXPECT_NEAR(sum, 1.0, 1e-12);  // rounding alone
+}
+
+TEST(Profile, SaysWhatCameAfterTheLastChangeOfAMetric) {
+  Scene scene;
+  scene.reservoir_length = 0.2;
+  scene.reservoir_height = 0.1;
+  scene.barriers = {{.foot_x = 0.4, .height = 0.12}};
+  Numerics numerics;
+  numerics.spacing = 0.02;
+  RunOptions options;
+  options.stop_time = 4.0;
+  options.settled.enabled = false;
+  options.profile = true;
+  const Result whole = simulate(scene, numerics, options);
+  options.settled.enabled = true;
+  const Result ended = simulate(scene, numerics, options);
+  ASSERT_EQ(ended.stop_reason, StopReason::metrics_final);
+  EXPECT_GT(whole.profile->steps_after_last_change, ended.profile->steps_after_last_change);
+  EXPECT_GT(whole.profile->rest_share, ended.profile->rest_share);
+  // at its end a run has waited for an eighth of its time, or 0.25 s
+  EXPECT_GT(ended.profile->steps_after_last_change, 0.1);
 }
 
 }  // namespace

@@ -27,7 +27,11 @@ struct Profile {
   double fluid_neighbors = 0.0;         ///< mean of fluid neighbours within the kernel's reach
   double wall_neighbors = 0.0;          ///< mean of wall points within the kernel's reach
   double slots_per_pair = 0.0;          ///< row slots over such pairs: what skin and padding add
-  double seconds() const;               ///< sum of the stages
+  double steps_after_last_change = 0.0;  ///< share of the steps after a metric last changed; one
+                                         ///< that creeps, by more than settled.retention_change
+  double rest_share = 0.0;  ///< share of the particle-steps that were spent on material slower than
+                            ///< 1/100 of the speed of a fall from the reservoir's height
+  double seconds() const;   ///< sum of the stages
 };
 
 }  // namespace parapet::solver

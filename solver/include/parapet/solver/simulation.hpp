@@ -17,7 +17,7 @@ struct SettledRule {
   double window = 0.25;  ///< the rules must hold this long [s], and an eighth of the time so far
   double retention_change = 0.002;  ///< largest change of any barrier's retention in the window
   /// Kinetic energy as a share of the largest seen: of the material that can still change a metric,
-  /// without its fastest parcels, 1 % of the released mass; with until_rest of everything in the domain.
+  /// without its fastest parcels (retention_change of the mass); with until_rest of everything.
   double kinetic_energy_share = 1e-3;
   double earliest_time = 0.0;  ///< never before this time [s]
 };
