@@ -114,8 +114,9 @@ TEST(Simulate, ProfilePrintsATableAndChangesNothingButTheTiming) {
     if (out == "plain") {
       EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, "profile", outcome.out);
     } else {
-      for (const char* part : {"profile\n", "M pairs/s", "after the last change of any metric", "pressure force", "conjugate gradients",
-                               "neighbour rows renewed", "limited by: sound speed in"}) {
+      for (const char* part :
+           {"profile\n", "M pairs/s", "after the last change of any metric", "pressure force",
+            "conjugate gradients", "neighbour rows renewed", "limited by: sound speed in"}) {
         EXPECT_PRED_FORMAT2(IsSubstring, part, outcome.out);
       }
     }

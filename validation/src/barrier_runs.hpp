@@ -25,7 +25,8 @@ solver::Scene scene_of(const SingleBarrier& barrier);
 // Bed and barriers as lines, for pictures.
 std::vector<solver::Face> outlines(const solver::Scene& scene);
 
-// Simulates until no metric can change any more, with frames until all is at rest. Throws std::runtime_error with the reason when the run fails.
+// Simulates until no metric can change any more, with frames until all is at rest. Throws
+// std::runtime_error with the reason when the run fails.
 solver::Result simulated(const solver::Scene& scene, const solver::Numerics& numerics,
                          const CaseRun& run, double frame_interval = 0.0,
                          const std::function<void(const solver::Frame&)>& on_frame = {});
