@@ -25,17 +25,29 @@ struct Subject {
     pairs = solver::count_pairs(arrays);
     n = flow.fluid().n;
     const auto size = static_cast<std::size_t>(n) + 1;
-    const auto slots = static_cast<std::size_t>(arrays.rows.end[n - 1]);
-    for (auto* a : {&bx, &bz}) a->assign(slots, 0.0);
+    std::int32_t slots = 0;
+    for (int g = 0; g < solver::groups_of(n); ++g) {
+      matrix_begin.push_back(slots);
+      slots += arrays.rows.wall_begin[g] - arrays.rows.begin[g];
+    }
+    strength.assign(static_cast<std::size_t>(slots), 0.0F);
     for (auto& a : particle) a.assign(size, 0.0);
     for (auto& a : wall) a.assign(static_cast<std::size_t>(arrays.rows.n_active) + 1, 0.0);
-    viscous = {bx.data(),          bz.data(),          particle[0].data(),       particle[1].data(),
-               particle[2].data(), particle[3].data(), particle[4].data(),       particle[5].data(),
-               particle[6].data(), particle[7].data(), flow.fluid().mass.data(), 1.4e-4};
+    viscous = {strength.data(),
+               matrix_begin.data(),
+               particle[0].data(),
+               particle[1].data(),
+               particle[2].data(),
+               particle[3].data(),
+               particle[4].data(),
+               particle[5].data(),
+               particle[6].data(),
+               particle[7].data(),
+               1.4e-4};
     solver::best_passes().viscous_matrix(arrays, viscous, 0, n);
-    vector.resize(size);
-    image.resize(size);
-    for (std::size_t i = 0; i < size; ++i) vector[i] = {arrays.fluid.u[i], arrays.fluid.w[i]};
+    vector.assign(arrays.fluid.motion, arrays.fluid.motion + size);
+    // whole groups
+    while (vector.size() % solver::lanes != 0) vector.push_back(arrays.fluid.motion[n]);
   }
 
   solver::ShiftedRates rates() {
@@ -46,8 +58,10 @@ struct Subject {
   FlowArrays arrays;
   solver::PairCount pairs;
   int n = 0;
-  std::vector<double> bx, bz, particle[12], wall[2];
-  std::vector<solver::Pair> vector, image;
+  std::vector<float> strength;
+  std::vector<std::int32_t> matrix_begin;
+  std::vector<double> particle[12], wall[2];
+  std::vector<solver::MotionRecord> vector;
   solver::ViscousView viscous;
 };
 
@@ -81,7 +95,8 @@ const std::vector<Pass>& passes() {
        [](const PassTable& p, Subject& s) { p.viscous_matrix(s.arrays, s.viscous, 0, s.n); }},
       {"viscous_product",
        [](const PassTable& p, Subject& s) {
-         p.viscous_product(s.arrays, s.viscous, s.vector.data(), s.image.data(), 0, s.n);
+         p.viscous_product(s.arrays, s.viscous, s.vector.data(), s.particle[8].data(),
+                           s.particle[9].data(), 0, s.n);
        }},
       {"extrapolate_walls",
        [](const PassTable& p, Subject& s) {

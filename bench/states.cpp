@@ -59,7 +59,10 @@ void interpolate(const solver::FlowArrays& a, int i, InitialParticle& p) {
     density += weight * a.fluid.density[j];
   };
   add(i);
-  for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; ++s) add(a.rows.index[s]);
+  const int g = i / solver::lanes;
+  for (int s = a.rows.begin[g] + i % solver::lanes; s < a.rows.wall_begin[g]; s += solver::lanes) {
+    add(a.rows.index[s]);
+  }
   p.u = u / sum;
   p.w = w / sum;
   p.density = density / sum;

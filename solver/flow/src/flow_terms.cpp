@@ -79,9 +79,10 @@ void Flow::prepare_neighbors() {
 }
 
 void Flow::find_reached_pairs() {
-  for (auto* a : {&reached_begin_, &reached_wall_begin_, &reached_end_}) a->resize(at(fluid_.n));
-  // a vector is stored whole before its pairs are counted
-  reached_index_.resize(static_cast<std::size_t>(rows_.fluid_slots()) + lanes);
+  for (auto* a : {&reached_begin_, &reached_wall_begin_, &reached_end_}) {
+    a->resize(at(groups_of(fluid_.n)));
+  }
+  reached_index_.resize(static_cast<std::size_t>(rows_.fluid_slots()));
   pack(&Fluid::pack_motion);
   FlowArrays a = packed_arrays();
   a.rows = rows_.view();

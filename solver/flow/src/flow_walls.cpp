@@ -25,8 +25,9 @@ void Flow::measure_barrier_load(double dt) {
   pack(&Fluid::pack_motion);
   const FlowArrays a = packed_arrays();
   const std::int32_t* active = a.rows.active_wall;
-  const auto first = static_cast<int>(
+  auto first = static_cast<int>(
       std::lower_bound(active, active + a.rows.n_active, first_barrier_point_) - active);
+  first -= first % lanes;  // a whole group
   load_x_.resize(at(a.rows.n_active));
   load_z_.resize(at(a.rows.n_active));
   for_blocks(a.rows.n_active - first, threads(), [&](int begin, int end) {

@@ -9,9 +9,26 @@
 namespace parapet::solver {
 namespace {
 
-// Rows are whole vectors: the rest of the last one points at the ghost.
-void pad(std::vector<std::int32_t>& row, std::size_t from, std::int32_t ghost) {
-  while ((row.size() - from) % lanes != 0) row.push_back(ghost);
+// Rows of a block of particles are joined to those of the others when so many blocks are complete:
+// few enough that they take no memory to speak of.
+constexpr int blocks_at_a_time = 64;
+
+// Puts the rows of a group side by side, a slot with one index of each after the other; the ghost
+// follows where a row is shorter than the longest. Returns how many indices that makes.
+std::int32_t append(const std::array<std::vector<std::int32_t>, lanes>& rows, std::int32_t ghost,
+                    std::vector<std::int32_t>& out) {
+  std::size_t longest = 0;
+  for (const auto& row : rows) longest = std::max(longest, row.size());
+  const std::size_t first = out.size();
+  out.resize(first + lanes * longest, ghost);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    std::int32_t* slot = out.data() + first + lane;
+    for (const std::int32_t j : rows[lane]) {
+      *slot = j;
+      slot += lanes;
+    }
+  }
+  return static_cast<std::int32_t>(lanes * longest);
 }
 
 bool blocked(const std::vector<Face>& faces, const std::vector<int>& near, Vec2 p, Vec2 q) {
@@ -94,93 +111,99 @@ void NeighborRows::fill_block(const Fluid& fluid, int begin, int end, RowBuffer&
   buffer.index.clear();
   buffer.fluid_count.clear();
   buffer.wall_count.clear();
-  for (int i = begin; i < end; ++i) {
-    const std::vector<int>& faces = faces_near({fluid.x[at(i)], fluid.z[at(i)]});
-    const std::size_t first = buffer.index.size();
-    add_fluid_neighbors(fluid, i, faces, buffer.index);
-    pad(buffer.index, first, fluid.n);
-    const std::size_t middle = buffer.index.size();
-    add_wall_neighbors(fluid, i, faces, buffer.index);
-    pad(buffer.index, middle, static_cast<std::int32_t>(walls_.size()));
-    buffer.fluid_count.push_back(static_cast<std::int32_t>(middle - first));
-    buffer.wall_count.push_back(static_cast<std::int32_t>(buffer.index.size() - middle));
+  for (int first = begin; first < end; first += lanes) {
+    for (auto& row : buffer.fluid) row.clear();
+    for (auto& row : buffer.wall) row.clear();
+    for (int i = first; i < std::min(end, first + lanes); ++i) {
+      const std::vector<int>& faces = faces_near({fluid.x[at(i)], fluid.z[at(i)]});
+      add_fluid_neighbors(fluid, i, faces, buffer.fluid[at(i - first)]);
+      add_wall_neighbors(fluid, i, faces, buffer.wall[at(i - first)]);
+    }
+    buffer.fluid_count.push_back(append(buffer.fluid, fluid.n, buffer.index));
+    buffer.wall_count.push_back(append(buffer.wall, wall_ghost(), buffer.index));
   }
 }
 
-void NeighborRows::join(const std::vector<RowBuffer>& buffers, int n) {
-  begin_.resize(at(n));
-  wall_begin_.resize(at(n));
-  end_.resize(at(n));
-  std::size_t slots = 0, i = 0;
-  for (const RowBuffer& buffer : buffers) {
-    for (std::size_t k = 0; k < buffer.fluid_count.size(); ++k, ++i) {
-      begin_[i] = static_cast<std::int32_t>(slots);
-      slots += at(buffer.fluid_count[k]);
-      wall_begin_[i] = static_cast<std::int32_t>(slots);
-      slots += at(buffer.wall_count[k]);
-      end_[i] = static_cast<std::int32_t>(slots);
-    }
+void NeighborRows::join(const RowBuffer& buffer) {
+  auto slots = static_cast<std::int32_t>(index_.size());
+  for (std::size_t k = 0; k < buffer.fluid_count.size(); ++k) {
+    begin_.push_back(slots);
+    slots += buffer.fluid_count[k];
+    wall_begin_.push_back(slots);
+    slots += buffer.wall_count[k];
+    end_.push_back(slots);
   }
-  index_.resize(slots);
-  auto out = index_.begin();
-  for (const RowBuffer& buffer : buffers) {
-    out = std::copy(buffer.index.begin(), buffer.index.end(), out);
-  }
+  index_.insert(index_.end(), buffer.index.begin(), buffer.index.end());
 }
 
 // Rows of the wall points: the same pairs seen from the other side.
 void NeighborRows::transpose_wall_rows(int n) {
-  const auto ghost = static_cast<std::int32_t>(walls_.size());
+  // Calls body(i, k) for every pair of a particle and a wall point in its row.
+  const auto for_pairs = [&](const auto& body) {
+    for (int i = 0; i < n; ++i) {
+      const std::size_t g = at(i / lanes);
+      for (int s = wall_begin_[g] + i % lanes; s < end_[g]; s += lanes) {
+        if (index_[at(s)] != wall_ghost()) body(i, index_[at(s)]);
+      }
+    }
+  };
   std::vector<std::int32_t>& count = point_count_;
   count.resize(walls_.size() + 1, 0);
   // Only what the last rows touched is cleared, and only what these touch is visited: most of a
   // long channel's walls are far from the fluid.
   for (const std::int32_t k : active_) count[at(k)] = 0;
   active_.clear();
-  for (int i = 0; i < n; ++i) {
-    for (int s = wall_begin_[at(i)]; s < end_[at(i)]; ++s) {
-      const std::int32_t k = index_[at(s)];
-      if (k != ghost && count[at(k)]++ == 0) active_.push_back(k);
-    }
-  }
+  for_pairs([&](int, std::int32_t k) {
+    if (count[at(k)]++ == 0) active_.push_back(k);
+  });
   std::sort(active_.begin(), active_.end());
-  point_begin_.clear();
-  point_end_.clear();
-  std::int32_t slots = 0;
-  for (const std::int32_t k : active_) {
-    point_begin_.push_back(slots);
-    const std::int32_t from = slots;
-    slots += (count[at(k)] + lanes - 1) / lanes * lanes;
-    point_end_.push_back(slots);
-    count[at(k)] = from;  // from now on: the next free slot
-  }
-  point_index_.assign(at(slots), n);
-  for (int i = 0; i < n; ++i) {
-    for (int s = wall_begin_[at(i)]; s < end_[at(i)]; ++s) {
-      const std::int32_t k = index_[at(s)];
-      if (k != ghost) point_index_[at(count[at(k)]++)] = i;
+  n_active_ = static_cast<int>(active_.size());
+  active_.resize(at(lanes * groups_of(n_active_)), wall_ghost());
+  point_begin_.assign(1, 0);
+  for (int first = 0; first < n_active_; first += lanes) {
+    std::int32_t longest = 0;
+    for (int a = first; a < std::min(n_active_, first + lanes); ++a) {
+      std::int32_t& of_point = count[at(active_[at(a)])];
+      longest = std::max(longest, of_point);
+      of_point = point_begin_.back() + a - first;  // from now on: its next free place
     }
+    point_begin_.push_back(point_begin_.back() + lanes * longest);
   }
+  point_index_.assign(at(point_begin_.back()), n);
+  for_pairs([&](int i, std::int32_t k) {
+    std::int32_t& place = count[at(k)];
+    point_index_[at(place)] = i;
+    place += lanes;
+  });
 }
 
 void NeighborRows::build(Fluid& fluid, int threads) {
   sort(fluid);
   const int n = fluid.n;
-  buffers_.resize(at((n + block_size - 1) / block_size));
-  for_blocks(n, threads, [&](int begin, int end) {
-    fill_block(fluid, begin, end, buffers_[at(begin / block_size)]);
-  });
-  join(buffers_, n);
+  for (auto* array : {&begin_, &wall_begin_, &end_, &index_}) array->clear();
+  buffers_.resize(blocks_at_a_time);
+  constexpr int at_a_time = blocks_at_a_time * block_size;
+  for (int from = 0; from < n; from += at_a_time) {
+    const int count = std::min(n - from, at_a_time);
+    for_blocks(count, threads, [&](int begin, int end) {
+      fill_block(fluid, from + begin, from + end, buffers_[at(begin / block_size)]);
+    });
+    for (int begin = 0; begin < count; begin += block_size) join(buffers_[at(begin / block_size)]);
+  }
   transpose_wall_rows(n);
   built_x_.assign(fluid.x.begin(), fluid.x.begin() + n);
   built_z_.assign(fluid.z.begin(), fluid.z.begin() + n);
   valid_ = true;
 }
 
+bool NeighborRows::touches_wall(int i) const {
+  const std::size_t g = at(i / lanes);
+  return end_[g] > wall_begin_[g] && index_[at(wall_begin_[g] + i % lanes)] != wall_ghost();
+}
+
 RowView NeighborRows::view() const {
-  return {begin_.data(),       wall_begin_.data(),  end_.data(),
-          index_.data(),       point_begin_.data(), point_end_.data(),
-          point_index_.data(), active_.data(),      static_cast<int>(active_.size())};
+  return {begin_.data(),  wall_begin_.data(),  end_.data(),         index_.data(),
+          active_.data(), point_begin_.data(), point_index_.data(), n_active_};
 }
 
 }  // namespace parapet::solver

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "parapet/flow/kernel.hpp"
+
 namespace parapet::solver {
 
-constexpr int block_size = 128;
+constexpr int block_size = 128;  // whole groups
+static_assert(block_size % lanes == 0);
 
 // Fewer particles than this for each thread cost more to share out than to compute.
 constexpr int least_per_thread = 512;

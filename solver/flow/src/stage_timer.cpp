@@ -53,15 +53,16 @@ PairCount count_pairs(const FlowArrays& a) {
   PairCount count;
   count.particles = a.fluid.n;
   for (int i = 0; i < a.fluid.n; ++i) {
-    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; ++s) {
+    const int g = i / lanes, lane = i % lanes;
+    for (int s = a.rows.begin[g] + lane; s < a.rows.wall_begin[g]; s += lanes) {
       const int j = a.rows.index[s];
       count.fluid += j < a.fluid.n && near(i, a.fluid.x[j], a.fluid.z[j]);
     }
-    for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; ++s) {
+    for (int s = a.rows.wall_begin[g] + lane; s < a.rows.end[g]; s += lanes) {
       const int k = a.rows.index[s];
       count.wall += k < a.wall.n && near(i, a.wall.x[k], a.wall.z[k]);
     }
-    count.slots += a.rows.end[i] - a.rows.begin[i];
+    if (lane == 0) count.slots += a.rows.end[g] - a.rows.begin[g];
   }
   return count;
 }

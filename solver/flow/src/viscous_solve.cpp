@@ -17,25 +17,25 @@ double sum_in_order(const std::vector<double>& partial) {
 
 }  // namespace
 
-void ViscousSolve::resize(std::size_t n, std::size_t slots) {
-  bx_.resize(slots);
-  bz_.resize(slots);
-  for (auto* array : {&dxx_, &dxz_, &dzz_, &wxx_, &wxz_, &wzz_, &rhs_x_, &rhs_z_}) {
-    array->resize(n);
+void ViscousSolve::resize(const FlowArrays& arrays) {
+  const int n = arrays.fluid.n;
+  begin_.clear();
+  std::int32_t slots = 0;
+  for (std::size_t g = 0; g < at(groups_of(n)); ++g) {
+    begin_.push_back(slots);
+    slots += arrays.rows.wall_begin[g] - arrays.rows.begin[g];
   }
-  const std::size_t padded = (n + lanes) / lanes * lanes;  // the ghost at n included
-  for (auto* array : {&solution_, &residual_, &preconditioned_, &direction_, &image_,
-                      &inverse_diagonal_, &inverse_off_, &scale_}) {
-    array->assign(padded, Pair{0.0, 0.0});
+  strength_.resize(at(slots));
+  for (auto* array : {&wxx_, &wxz_, &wzz_, &dxx_, &dxz_, &dzz_, &residual_x_, &residual_z_,
+                      &image_x_, &image_z_, &scale_}) {
+    array->resize(at(n));
   }
-  const std::size_t blocks = (n + block_size - 1) / block_size;
+  const MotionRecord ghost{far_away, far_away, 0.0, 0.0};
+  direction_.resize(at(lanes * (n / lanes + 1)));
+  std::fill(direction_.begin() + n, direction_.end(), ghost);
+  const std::size_t blocks = at((n + block_size - 1) / block_size);
   partial_.resize(blocks);
   largest_.resize(blocks);
-}
-
-ViscousView ViscousSolve::view(const Fluid& fluid, double dt) {
-  return {bx_.data(),  bz_.data(),  dxx_.data(),   dxz_.data(),   dzz_.data(),       wxx_.data(),
-          wxz_.data(), wzz_.data(), rhs_x_.data(), rhs_z_.data(), fluid.mass.data(), dt};
 }
 
 ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArrays& arrays,
@@ -44,17 +44,25 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
                                           std::vector<double>& w, double dt,
                                           const Settings& settings) {
   const int n = fluid.n, threads = settings.threads;
-  resize(at(n), n > 0 ? at(arrays.rows.end[n - 1]) : 0);
-  const ViscousView v = view(fluid, dt);
+  resize(arrays);
+  // the matrix leaves the walls' part of the right-hand side where the residual will be
+  const ViscousView v{strength_.data(),   begin_.data(),      wxx_.data(), wxz_.data(),
+                      wzz_.data(),        dxx_.data(),        dxz_.data(), dzz_.data(),
+                      residual_x_.data(), residual_z_.data(), dt};
   {
     const StageScope scope(settings.timer, Stage::viscous_matrix);
     for_blocks(n, threads,
                [&](int begin, int end) { passes.viscous_matrix(arrays, v, begin, end); });
   }
 
-  const DescentView d{solution_.data(),    residual_.data(), preconditioned_.data(),
-                      direction_.data(),   image_.data(),    inverse_diagonal_.data(),
-                      inverse_off_.data(), scale_.data()};
+  const DescentView d{u.data(),           w.data(),        direction_.data(), residual_x_.data(),
+                      residual_z_.data(), image_x_.data(), image_z_.data(),
+                      dxx_.data(),  // from now on the inverse
+                      dxz_.data(),        dzz_.data(),     scale_.data()};
+  const auto product = [&](int begin, int end) {
+    return passes.viscous_product(arrays, v, direction_.data(), image_x_.data(), image_z_.data(),
+                                  begin, end);
+  };
   const auto descend = [&](double step, int begin, int end) {
     const DescentSums sums = passes.descend(d, step, begin, end);
     partial_[at(begin / block_size)] = sums.product;
@@ -66,19 +74,26 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
     return std::sqrt(worst);
   };
 
-  for (std::size_t i = 0; i < at(n); ++i) solution_[i] = {u[i], w[i]};
+  for (std::size_t i = 0; i < at(n); ++i) {
+    const MotionRecord& motion = arrays.fluid.motion[i];
+    direction_[i] = {motion.x, motion.z, u[i], w[i]};
+  }
   for_blocks(n, threads, [&](int begin, int end) {
-    passes.viscous_product(arrays, v, solution_.data(), image_.data(), begin, end);
+    product(begin, end);
     for (std::size_t i = at(begin); i < at(end); ++i) {
-      residual_[i] = {fluid.mass[i] * u_star[i] + rhs_x_[i] - image_[i].x,
-                      fluid.mass[i] * w_star[i] + rhs_z_[i] - image_[i].z};
+      const double mass = fluid.mass[i];
+      residual_x_[i] += mass * u_star[i] - image_x_[i];
+      residual_z_[i] += mass * w_star[i] - image_z_[i];
       // block-Jacobi
       const double inverse = 1.0 / (dxx_[i] * dzz_[i] - dxz_[i] * dxz_[i]);
-      inverse_diagonal_[i] = {inverse * dzz_[i], inverse * dxx_[i]};
-      inverse_off_[i] = {-inverse * dxz_[i], -inverse * dxz_[i]};
-      const double scale = 1.0 / (fluid.mass[i] * dt);
-      scale_[i] = {scale * scale, scale * scale};
+      const double xx = dxx_[i];
+      dxx_[i] = inverse * dzz_[i];
+      dxz_[i] = -inverse * dxz_[i];
+      dzz_[i] = inverse * xx;
+      scale_[i] = 1.0 / (mass * dt * mass * dt);
     }
+  });
+  for_blocks(n, threads, [&](int begin, int end) {
     descend(0.0, begin, end);
     passes.turn(d, 0.0, begin, end);
   });
@@ -87,10 +102,8 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
   while (!(residual_error() <= settings.tolerance)) {
     if (outcome.iterations >= settings.max_iterations || !std::isfinite(rho)) return outcome;
     ++outcome.iterations;
-    for_blocks(n, threads, [&](int begin, int end) {
-      partial_[at(begin / block_size)] =
-          passes.viscous_product(arrays, v, direction_.data(), image_.data(), begin, end);
-    });
+    for_blocks(n, threads,
+               [&](int begin, int end) { partial_[at(begin / block_size)] = product(begin, end); });
     const double curvature = sum_in_order(partial_);
     if (!(curvature > 0.0)) return outcome;
     const double step = rho / curvature;
@@ -99,10 +112,6 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
     const double beta = next / rho;
     rho = next;
     for_blocks(n, threads, [&](int begin, int end) { passes.turn(d, beta, begin, end); });
-  }
-  for (std::size_t i = 0; i < at(n); ++i) {
-    u[i] = solution_[i].x;
-    w[i] = solution_[i].z;
   }
   outcome.converged = true;
   return outcome;

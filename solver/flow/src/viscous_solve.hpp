@@ -32,12 +32,13 @@ class ViscousSolve {
                 const Settings& settings);
 
  private:
-  void resize(std::size_t n, std::size_t slots);
-  ViscousView view(const Fluid& fluid, double dt);
+  void resize(const FlowArrays& arrays);
 
-  std::vector<double> bx_, bz_, dxx_, dxz_, dzz_, wxx_, wxz_, wzz_, rhs_x_, rhs_z_;
-  std::vector<Pair> solution_, residual_, preconditioned_, direction_, image_, inverse_diagonal_,
-      inverse_off_, scale_;
+  std::vector<float> strength_;
+  std::vector<std::int32_t> begin_;  // [groups]
+  std::vector<double> wxx_, wxz_, wzz_, dxx_, dxz_, dzz_, residual_x_, residual_z_, image_x_,
+      image_z_, scale_;
+  std::vector<MotionRecord> direction_;
   std::vector<double> partial_, largest_;
 };
 

@@ -183,7 +183,8 @@ TEST(Pairs, AreThoseOfTheNeighbourRows) {
   const double reach = 2.0 * flow.smoothing_length();
   std::set<std::pair<int, int>> expected, found;
   for (int i = 0; i < arrays.fluid.n; ++i) {
-    for (int s = arrays.rows.begin[i]; s < arrays.rows.wall_begin[i]; ++s) {
+    const int g = i / lanes;
+    for (int s = arrays.rows.begin[g] + i % lanes; s < arrays.rows.wall_begin[g]; s += lanes) {
       const int j = arrays.rows.index[s];
       double rx = arrays.fluid.x[i] - arrays.fluid.x[j];
       rx -= 0.2 * std::round(rx / 0.2);

@@ -13,12 +13,28 @@
 namespace parapet::solver {
 namespace {
 
-std::set<std::int32_t> fluid_row(const RowView& rows, int i, int ghost) {
+std::set<std::int32_t> row_of(const RowView& rows, std::int32_t from, std::int32_t to, int i,
+                              std::int32_t ghost) {
   std::set<std::int32_t> row;
-  for (int s = rows.begin[i]; s < rows.wall_begin[i]; ++s) {
-    if (rows.index[s] != ghost) row.insert(rows.index[s]);
+  bool ended = false;
+  for (int s = from + i % lanes; s < to; s += lanes) {
+    if (rows.index[s] == ghost) {
+      ended = true;
+      continue;
+    }
+    EXPECT_FALSE(ended) << "ghosts come last";
+    EXPECT_TRUE(row.insert(rows.index[s]).second) << "twice in the row of " << i;
   }
   return row;
+}
+
+std::set<std::int32_t> fluid_row(const RowView& rows, int i, int ghost) {
+  return row_of(rows, rows.begin[i / lanes], rows.wall_begin[i / lanes], i, ghost);
+}
+
+std::set<std::int32_t> wall_row(const RowView& rows, int i, const WallPoints& walls) {
+  return row_of(rows, rows.wall_begin[i / lanes], rows.end[i / lanes], i,
+                static_cast<std::int32_t>(walls.size()));
 }
 
 TEST(NeighborRows, HoldEveryPairWithinTheReachAndNoneTwice) {
@@ -41,7 +57,7 @@ TEST(NeighborRows, HoldEveryPairWithinTheReachAndNoneTwice) {
       if (j != i && r < 0.024) expected.insert(j);
     }
     EXPECT_EQ(fluid_row(view, i, fluid.n), expected);
-    EXPECT_EQ((view.wall_begin[i] - view.begin[i]) % lanes, 0);
+    EXPECT_EQ((view.wall_begin[i / lanes] - view.begin[i / lanes]) % lanes, 0);
   }
 }
 
@@ -238,10 +254,9 @@ TEST_P(ThinPlate, NothingReachesThroughIt) {
       const bool other = static_cast<std::size_t>(fluid.id[static_cast<std::size_t>(j)]) < upstream;
       EXPECT_EQ(left, other) << "a fluid pair reaches through the plate at dx = " << dx;
     }
-    for (int s = view.wall_begin[i]; s < view.end[i]; ++s) {
-      if (view.index[s] == static_cast<std::int32_t>(walls.size())) continue;
-      const Face& face = setup.solids.faces[static_cast<std::size_t>(
-          walls.owner[static_cast<std::size_t>(view.index[s])])];
+    for (const std::int32_t k : wall_row(view, i, walls)) {
+      const Face& face =
+          setup.solids.faces[static_cast<std::size_t>(walls.owner[static_cast<std::size_t>(k)])];
       if (face.barrier < 0 || face.normal.z > 0.5) continue;  // bed, crest
       EXPECT_EQ(left, face.normal.x < 0.0) << "a particle sees the far side's wall points";
     }
@@ -280,9 +295,9 @@ TEST_P(ThinPlate, EverySideFeelsACompleteWall) {
     for (const std::int32_t j : fluid_row(view, i, fluid.n)) {
       add(fluid.x[static_cast<std::size_t>(j)], fluid.z[static_cast<std::size_t>(j)], dx * dx);
     }
-    for (int s = view.wall_begin[i]; s < view.end[i]; ++s) {
-      const auto k = static_cast<std::size_t>(view.index[s]);
-      if (k < walls.size()) add(walls.x[k], walls.z[k], walls.volume[k]);
+    for (const std::int32_t index : wall_row(view, i, walls)) {
+      const auto k = static_cast<std::size_t>(index);
+      add(walls.x[k], walls.z[k], walls.volume[k]);
     }
     EXPECT_NEAR(unity, 1.0, 0.03);  // lattice quadrature of W at h/dx = 1.33 is 1.009
     ++tested;

@@ -48,18 +48,23 @@ struct Cloud {
       fluid.tic[k] = i % 3 == 0 ? -1.0 : 1.0;
       fluid.density_grad_x[k] = 3.0 * i;
       fluid.density_grad_z[k] = 50.0 - i;
+    }
+    // everybody but oneself
+    for (int first = 0; first < fluid.n; first += lanes) {
       begin.push_back(static_cast<std::int32_t>(index.size()));
-      for (int j = 0; j < fluid.n; ++j) {
-        if (j != i) index.push_back(j);
+      for (int k = 0; k + 1 < fluid.n; ++k) {
+        for (int i = first; i < first + lanes; ++i) {
+          index.push_back(i < fluid.n ? k + (k >= i) : fluid.n);
+        }
       }
-      while (index.size() % lanes != 0) index.push_back(fluid.n);
       end.push_back(static_cast<std::int32_t>(index.size()));
     }
   }
 
   Rates rates() const {
     Rates r;
-    for (auto* a : {&r.density, &r.mass, &r.exchange_x, &r.exchange_z}) a->resize(begin.size());
+    for (auto* a : {&r.density, &r.mass, &r.exchange_x, &r.exchange_z})
+      a->resize(static_cast<std::size_t>(fluid.n));
     best_passes().density_rate(
         arrays(), {r.density.data(), r.mass.data(), r.exchange_x.data(), r.exchange_z.data()}, 0,
         fluid.n);

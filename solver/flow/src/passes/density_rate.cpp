@@ -15,19 +15,22 @@ template <bool periodic>
 void rates_of(const FlowArrays& a, const ShiftedRates& out, int begin, int end) {
   const FlowConstants& c = a.constants;
   const FluidView& f = a.fluid;
-  const v8d zero = splat(0.0);
-  for (int i = begin; i < end; ++i) {
+  const v8d zero = splat(0.0), half = splat(0.5);
+  const v8d diffusivity = splat(c.density_diffusion * c.smoothing_length * c.sound_speed);
+  for (int i = begin; i < end; i += lanes) {
+    const Group group(i, end);
+    const Row row(a.rows, i);
     v8d divergence = zero, diffusion = zero, flux = zero, ex = zero, ez = zero, spread = zero;
-    const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), rho_i = splat(f.density[i]);
-    const v8d shift_x = splat(f.shift_u[i]), shift_z = splat(f.shift_w[i]);
+    const v8d x = group.load(f.x), z = group.load(f.z);
+    const v8d ui = group.load(f.u), wi = group.load(f.w), rho_i = group.load(f.density);
+    const v8d shift_x = group.load(f.shift_u), shift_z = group.load(f.shift_w);
     const v8d carried_x = rho_i * shift_x, carried_z = rho_i * shift_z;
-    const v8d grad_x = splat(f.density_grad_x[i]), grad_z = splat(f.density_grad_z[i]);
-    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
-      const std::int32_t* j = a.rows.index + s;
+    const v8d grad_x = group.load(f.density_grad_x), grad_z = group.load(f.density_grad_z);
+    for (const std::int32_t* j = row.fluid; j != row.wall; j += lanes) {
       const auto motion = gather(f.motion, j);
       const auto state = gather(f.state, j);
       const auto shift = gather(f.shift, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.x, motion.z);
+      const PairGeometry g = pair_geometry<periodic>(c, x, z, motion.x, motion.z);
       const v8d fv = g.f * state.volume;
       const v8d du = motion.u - ui, dw = motion.w - wi, rho_j = state.density;
       divergence += fv * (du * g.rx + dw * g.rz);
@@ -42,10 +45,9 @@ void rates_of(const FlowArrays& a, const ShiftedRates& out, int begin, int end) 
           (grad_x + shift.density_grad_x) * g.rx + (grad_z + shift.density_grad_z) * g.rz;
       diffusion -= (splat(2.0) * (rho_j - rho_i) + along) * fv;
     }
-    for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
-      const std::int32_t* k = a.rows.index + s;
+    for (const std::int32_t* k = row.wall; k != row.end; k += lanes) {
       const auto place = gather(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
+      const PairGeometry g = pair_geometry<periodic>(c, x, z, place.x, place.z);
       // The wall only stops the flow across it. Along it the point goes with the particle: the
       // tangential part vanishes in the integral, but its sum over discrete points does not and
       // would make the pressure of sheared particles jump as they pass from point to point.
@@ -55,13 +57,12 @@ void rates_of(const FlowArrays& a, const ShiftedRates& out, int begin, int end) 
       divergence -= g.f * volume * across * (nx * g.rx + nz * g.rz);
       spread -= splat(2.0) * g.f * volume * (shift_x * g.rx + shift_z * g.rz);
     }
-    const double fluxes = sum_lanes(flux);
-    out.density_rate[i] =
-        -f.density[i] * (sum_lanes(divergence) + sum_lanes(spread)) + fluxes +
-        c.density_diffusion * c.smoothing_length * c.sound_speed * sum_lanes(diffusion);
-    out.mass_rate[i] = f.volume[i] * fluxes;
-    out.exchange_x[i] = 0.5 * f.volume[i] * sum_lanes(ex);
-    out.exchange_z[i] = 0.5 * f.volume[i] * sum_lanes(ez);
+    const v8d volume = group.load(f.volume);
+    const v8d rate = flux - rho_i * (divergence + spread);
+    group.store(out.density_rate, rate + diffusivity * diffusion);
+    group.store(out.mass_rate, volume * flux);
+    group.store(out.exchange_x, half * volume * ex);
+    group.store(out.exchange_z, half * volume * ez);
   }
 }
 

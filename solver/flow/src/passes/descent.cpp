@@ -1,24 +1,14 @@
-// The vector operations of the conjugate gradients, four particles (eight values) at a time. Ranges
-// begin at whole vectors; what pads the last one is zero and stays so.
+// What the conjugate gradients do to each particle between two products.
 #include "passes.hpp"
 #include "simd.hpp"
 
 namespace parapet::solver::PARAPET_ISA {
 namespace {
 
-constexpr int pairs_per_vector = lanes / 2;
-
-PARAPET_INLINE v8d load(const Pair* pairs) {
-  return solver::load(&pairs->x);
-}
-
-PARAPET_INLINE void store(Pair* pairs, v8d v) {
-  solver::store(&pairs->x, v);
-}
-
-// (x, z) -> (z, x)
-PARAPET_INLINE v8d swap(v8d v) {
-  return v8d{v[1], v[0], v[3], v[2], v[5], v[4], v[7], v[6]};
+// D^-1 r
+PARAPET_INLINE TwoLanes preconditioned(const DescentView& d, const Group& group, v8d rx, v8d rz) {
+  const v8d xz = group.load(d.inverse_xz);
+  return {group.load(d.inverse_xx) * rx + xz * rz, xz * rx + group.load(d.inverse_zz) * rz};
 }
 
 }  // namespace
@@ -26,15 +16,18 @@ PARAPET_INLINE v8d swap(v8d v) {
 DescentSums descend(const DescentView& d, double step, int begin, int end) {
   v8d product = splat(0.0), worst = product;
   const v8d alpha = splat(step);
-  for (int i = begin; i < end; i += pairs_per_vector) {
-    store(d.solution + i, load(d.solution + i) + alpha * load(d.direction + i));
-    const v8d r = load(d.residual + i) - alpha * load(d.image + i);
-    const v8d s = load(d.inverse_diagonal + i) * r + load(d.inverse_off + i) * swap(r);
-    store(d.residual + i, r);
-    store(d.preconditioned + i, s);
-    product += r * s;
-    const v8d r2 = r * r;
-    const v8d error = (r2 + swap(r2)) * load(d.scale + i);
+  for (int i = begin; i < end; i += lanes) {
+    const Group group(i, end);
+    const auto direction = group.load(d.direction);
+    group.store(d.u, group.load(d.u) + alpha * direction.u);
+    group.store(d.w, group.load(d.w) + alpha * direction.w);
+    const v8d rx = group.load(d.residual_x) - alpha * group.load(d.image_x);
+    const v8d rz = group.load(d.residual_z) - alpha * group.load(d.image_z);
+    group.store(d.residual_x, rx);
+    group.store(d.residual_z, rz);
+    const TwoLanes s = preconditioned(d, group, rx, rz);
+    product += rx * s.x + rz * s.z;
+    const v8d error = (rx * rx + rz * rz) * group.load(d.scale);
     // a residual that is not a number must not pass for a small one
     worst = !(error <= worst) ? error : worst;
   }
@@ -44,9 +37,14 @@ DescentSums descend(const DescentView& d, double step, int begin, int end) {
 }
 
 void turn(const DescentView& d, double beta, int begin, int end) {
-  const v8d b = splat(beta);
-  for (int i = begin; i < end; i += pairs_per_vector) {
-    store(d.direction + i, load(d.preconditioned + i) + b * load(d.direction + i));
+  for (int i = begin; i < end; i += lanes) {
+    const Group group(i, end);
+    const TwoLanes s = preconditioned(d, group, group.load(d.residual_x), group.load(d.residual_z));
+    for (int l = 0; l < group.count; ++l) {
+      MotionRecord& direction = d.direction[i + l];
+      direction.u = s.x[l] + beta * direction.u;
+      direction.w = s.z[l] + beta * direction.w;
+    }
   }
 }
 

@@ -52,16 +52,19 @@ template <bool periodic>
 void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
   const FlowConstants& c = a.constants;
   const FluidView& f = a.fluid;
-  for (int i = begin; i < end; ++i) {
-    const v8d zero = splat(0.0);
+  const v8d zero = splat(0.0), even_volume = splat(c.even_volume);
+  const v8d lowest = splat(0.2 * c.smoothing_length);
+  for (int i = begin; i < end; i += lanes) {
+    const Group group(i, end);
+    const Row row(a.rows, i);
     Moments m = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
     v8d rho_x = zero, rho_z = zero;
-    const v8d ui = splat(f.u[i]), wi = splat(f.w[i]), rho_i = splat(f.density[i]);
-    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
-      const std::int32_t* j = a.rows.index + s;
+    const v8d x = group.load(f.x), z = group.load(f.z);
+    const v8d ui = group.load(f.u), wi = group.load(f.w), rho_i = group.load(f.density);
+    for (const std::int32_t* j = row.fluid; j != row.wall; j += lanes) {
       const auto motion = gather(f.motion, j);
       const auto state = gather(f.state, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.x, motion.z);
+      const PairGeometry g = pair_geometry<periodic>(c, x, z, motion.x, motion.z);
       const v8d volume = state.volume, du = motion.u - ui, dw = motion.w - wi;
       add(c, m, g, volume, du, dw);
       add_fourth_moments(c, m, g, volume, du, dw);
@@ -69,16 +72,14 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
       rho_x += drho * g.rx;
       rho_z += drho * g.rz;
     }
-    out.fluid_bxx[i] = sum_lanes(m.bxx);
-    out.fluid_bxz[i] = sum_lanes(m.bxz);
-    out.fluid_bzz[i] = sum_lanes(m.bzz);
-    out.density_x[i] = sum_lanes(rho_x);
-    out.density_z[i] = sum_lanes(rho_z);
-    const v8d lowest = splat(0.2 * c.smoothing_length);
-    for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
-      const std::int32_t* k = a.rows.index + s;
+    group.store(out.fluid_bxx, m.bxx);
+    group.store(out.fluid_bxz, m.bxz);
+    group.store(out.fluid_bzz, m.bzz);
+    group.store(out.density_x, rho_x);
+    group.store(out.density_z, rho_z);
+    for (const std::int32_t* k = row.wall; k != row.end; k += lanes) {
       const auto place = gather(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
+      const PairGeometry g = pair_geometry<periodic>(c, x, z, place.x, place.z);
       // No-slip: the particle's velocity relative to the wall goes on linearly below the surface
       // (Morris et al. 1997), so that the strain rate beside the wall is that of the slope between
       // wall and particle. Free slip shows no difference.
@@ -97,19 +98,19 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
       add(c, m, g, volume, du, dw);
       if (c.no_slip) add_fourth_moments(c, m, g, volume, du, dw);
     }
-    out.bxx[i] = sum_lanes(m.bxx);
-    out.bxz[i] = sum_lanes(m.bxz);
-    out.bzz[i] = sum_lanes(m.bzz);
-    out.shift_x[i] = c.even_volume * sum_lanes(m.sx);
-    out.shift_z[i] = c.even_volume * sum_lanes(m.sz);
-    out.ux[i] = sum_lanes(m.ux);
-    out.uz[i] = sum_lanes(m.uz);
-    out.wx[i] = sum_lanes(m.wx);
-    out.wz[i] = sum_lanes(m.wz);
-    out.approach2[i] = sum_lanes(m.approach2);
-    out.moment_pp[i] = sum_lanes(m.pp);
-    out.moment_pq[i] = sum_lanes(m.pq);
-    out.moment_qq[i] = sum_lanes(m.qq);
+    group.store(out.bxx, m.bxx);
+    group.store(out.bxz, m.bxz);
+    group.store(out.bzz, m.bzz);
+    group.store(out.shift_x, even_volume * m.sx);
+    group.store(out.shift_z, even_volume * m.sz);
+    group.store(out.ux, m.ux);
+    group.store(out.uz, m.uz);
+    group.store(out.wx, m.wx);
+    group.store(out.wz, m.wz);
+    group.store(out.approach2, m.approach2);
+    group.store(out.moment_pp, m.pp);
+    group.store(out.moment_pq, m.pq);
+    group.store(out.moment_qq, m.qq);
   }
 }
 

@@ -1,10 +1,22 @@
-// Geometry of eight pairs at once: particle i against eight slots of its neighbour row.
+// Geometry of eight pairs at once: each particle of a group and its neighbour in one slot.
 #pragma once
 
 #include "parapet/flow/flow_arrays.hpp"
 #include "simd.hpp"
 
 namespace parapet::solver {
+
+// The slots of a group of particles, eight indices each: [fluid, wall) hold fluid neighbours,
+// [wall, end) wall points.
+struct Row {
+  const std::int32_t *fluid, *wall, *end;
+  Row(const RowView& rows, int first_particle) {
+    const int g = first_particle / lanes;
+    fluid = rows.index + rows.begin[g];
+    wall = rows.index + rows.wall_begin[g];
+    end = rows.index + rows.end[g];
+  }
+};
 
 struct PairGeometry {
   v8d rx, rz;  // r_ij = r_i - r_j [m]
@@ -14,21 +26,25 @@ struct PairGeometry {
   v8d f;       // F = W'/r [1/m4], never positive
 };
 
+// To the nearest image; the ghost is left where it is, far outside either way.
 template <bool periodic>
-PARAPET_INLINE PairGeometry pair_geometry(const FlowConstants& c, double xi, double zi, v8d xj,
-                                          v8d zj) {
-  PairGeometry g;
-  g.rx = splat(xi) - xj;
-  g.rz = splat(zi) - zj;
+PARAPET_INLINE v8d nearest(const FlowConstants& c, v8d rx) {
   if constexpr (periodic) {
-    // nearest image; the ghost is left where it is, far outside either way
     const v8d length = splat(c.periodic_length);
     const v8d half = splat(0.5 * c.periodic_length);
-    const v8m above = g.rx > half;
-    const v8m below = g.rx < -half;
-    g.rx -= (v8d)((v8m)length & above);
-    g.rx += (v8d)((v8m)length & below);
+    const v8m above = rx > half;
+    const v8m below = rx < -half;
+    rx -= (v8d)((v8m)length & above);
+    rx += (v8d)((v8m)length & below);
   }
+  return rx;
+}
+
+template <bool periodic>
+PARAPET_INLINE PairGeometry pair_geometry(const FlowConstants& c, v8d xi, v8d zi, v8d xj, v8d zj) {
+  PairGeometry g;
+  g.rx = nearest<periodic>(c, xi - xj);
+  g.rz = zi - zj;
   g.r2 = g.rx * g.rx + g.rz * g.rz;
   g.q = sqrt_lanes(g.r2) * splat(c.kernel.inverse_h);
   g.t = kernel_falloff(g.q);
@@ -36,15 +52,14 @@ PARAPET_INLINE PairGeometry pair_geometry(const FlowConstants& c, double xi, dou
   return g;
 }
 
-template <bool periodic>
-PARAPET_INLINE PairGeometry pair_geometry(const FlowConstants& c, const double* x, const double* z,
-                                          double xi, double zi, const std::int32_t* index) {
-  return pair_geometry<periodic>(c, xi, zi, gather(x, index), gather(z, index));
-}
-
 // Keeps r_ij/r^2 finite for padded slots and coincident points [m2]; (1e-6 h)^2.
 PARAPET_INLINE v8d safe_r2(const FlowConstants& c, v8d r2) {
   return r2 + splat(1e-12 * c.smoothing_length * c.smoothing_length);
+}
+
+// Velocity of a wall without slip, as its fluid sees it: the fluid's own mirrored.
+PARAPET_INLINE TwoLanes mirrored(const Lanes<FaceRecord>& face, const Lanes<WallState>& state) {
+  return {splat(2.0) * face.u - state.fluid_u, splat(2.0) * face.w - state.fluid_w};
 }
 
 // Calls the periodic or the plain version of a pass.

@@ -12,8 +12,8 @@ void pressure_force(const FlowArrays& a, double* ax, double* az, int begin, int 
 void viscous_force(const FlowArrays& a, double* ax, double* az, int begin, int end);
 void density_rate(const FlowArrays& a, const ShiftedRates& rates, int begin, int end);
 void viscous_matrix(const FlowArrays& a, const ViscousView& v, int begin, int end);
-double viscous_product(const FlowArrays& a, const ViscousView& v, const Pair* p, Pair* y, int begin,
-                       int end);
+double viscous_product(const FlowArrays& a, const ViscousView& v, const MotionRecord* p, double* yx,
+                       double* yz, int begin, int end);
 DescentSums descend(const DescentView& d, double step, int begin, int end);
 void turn(const DescentView& d, double beta, int begin, int end);
 void wall_load(const FlowArrays& a, double* fx, double* fz, int begin, int end);

@@ -9,33 +9,33 @@ template <bool periodic>
 static void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
   const FlowConstants& c = a.constants;
   const FluidView& f = a.fluid;
-  for (int i = begin; i < end; ++i) {
+  for (int i = begin; i < end; i += lanes) {
+    const Group group(i, end);
+    const Row row(a.rows, i);
+    const v8d x = group.load(f.x), z = group.load(f.z);
+    const v8d own = group.load(f.tic) * group.load(f.pressure);
     v8d sx = splat(0.0), sz = sx;
-    const v8d own = splat(f.tic[i] * f.pressure[i]);
-    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
-      const std::int32_t* j = a.rows.index + s;
+    for (const std::int32_t* j = row.fluid; j != row.wall; j += lanes) {
       const auto motion = gather(f.motion, j);
       const auto state = gather(f.state, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], motion.x, motion.z);
+      const PairGeometry g = pair_geometry<periodic>(c, x, z, motion.x, motion.z);
       const v8d scale = (state.pressure + own) * (g.f * state.volume);
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
     // a wall does not pull: surface particles under tension see it with no pressure of their own
-    const double own_value = f.tic[i] * f.pressure[i];
-    const v8d at_wall = splat(own_value > 0.0 ? own_value : 0.0);
-    for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
-      const std::int32_t* k = a.rows.index + s;
+    const v8d at_wall = positive_part(own);
+    for (const std::int32_t* k = row.wall; k != row.end; k += lanes) {
       const auto place = gather(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
+      const PairGeometry g = pair_geometry<periodic>(c, x, z, place.x, place.z);
       const v8d pressure = gather(a.wall.state, k).pressure;
       const v8d scale = (pressure + at_wall) * (g.f * place.volume);
       sx += scale * g.rx;
       sz += scale * g.rz;
     }
-    const double factor = -1.0 / f.density[i];
-    ax[i] = factor * sum_lanes(sx);
-    az[i] = factor * sum_lanes(sz);
+    const v8d factor = splat(-1.0) / group.load(f.density);
+    group.store(ax, factor * sx);
+    group.store(az, factor * sz);
   }
 }
 

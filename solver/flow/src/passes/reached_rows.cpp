@@ -6,22 +6,28 @@
 namespace parapet::solver::PARAPET_ISA {
 namespace {
 
-// Writes the indices that are to be kept, in their order, and says how many; may write all eight.
-PARAPET_INLINE int keep_some(const std::int32_t* index, v8m keep, std::int32_t* out) {
-#if defined(__AVX512F__) && defined(__AVX512VL__)
-  const __mmask8 mask = _mm512_movepi64_mask((__m512i)keep);
-  const __m256i kept = _mm256_maskz_compress_epi32(
-      mask, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), kept);
-  return __builtin_popcount(mask);
-#else
-  int count = 0;
-  for (int l = 0; l < lanes; ++l) {
-    out[count] = index[l];
-    count -= static_cast<int>(keep[l]);  // -1 where true
+// Writes the slots [from, to) again, each lane's indices that are to be kept in their order, and
+// says where they end. Lanes with fewer than others are filled up with the ghost.
+template <class Kept>
+PARAPET_INLINE std::int32_t* pick(const std::int32_t* from, const std::int32_t* to,
+                                  std::int32_t ghost, std::int32_t* out, const Kept& kept) {
+  constexpr v8m step = {lanes, lanes, lanes, lanes, lanes, lanes, lanes, lanes};
+  v8m next = {0, 1, 2, 3, 4, 5, 6, 7};
+  std::int64_t place[lanes];
+  for (const std::int32_t* index = from; index != to; index += lanes) {
+    // Every index is written and the next one over it unless it was kept: a branch would be guessed
+    // wrong too often.
+    __builtin_memcpy(place, &next, sizeof next);
+    for (int l = 0; l < lanes; ++l) out[place[l]] = index[l];
+    next += kept(index) & step;
   }
-  return count;
-#endif
+  __builtin_memcpy(place, &next, sizeof next);
+  std::int64_t end = 0;
+  for (int l = 0; l < lanes; ++l) end = place[l] - l > end ? place[l] - l : end;
+  for (int l = 0; l < lanes; ++l) {
+    for (; place[l] < end; place[l] += lanes) out[place[l]] = ghost;
+  }
+  return out + end;
 }
 
 template <bool periodic>
@@ -30,30 +36,24 @@ void rows_of(const FlowArrays& a, const ReachedRows& rows, int begin, int end) {
   const FluidView& f = a.fluid;
   // rounding must not lose a pair that a sum would see; beyond the support its weight is zero
   const v8d reach2 = splat(4.0 * (1.0 + 1e-9) * c.smoothing_length * c.smoothing_length);
-  std::int32_t next = begin < end ? a.rows.begin[begin] : 0;
-  const auto pad = [&](std::int32_t from, std::int32_t ghost) {
-    while ((next - from) % lanes != 0) rows.index[next++] = ghost;
-  };
-  for (int i = begin; i < end; ++i) {
-    const std::int32_t first = next;
-    for (int s = a.rows.begin[i]; s < a.rows.wall_begin[i]; s += lanes) {
-      const std::int32_t* j = a.rows.index + s;
-      const TwoLanes place = gather_two(f.motion, j);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
-      next += keep_some(j, g.r2 < reach2, rows.index + next);
-    }
-    pad(first, f.n);
-    const std::int32_t middle = next;
-    for (int s = a.rows.wall_begin[i]; s < a.rows.end[i]; s += lanes) {
-      const std::int32_t* k = a.rows.index + s;
-      const TwoLanes place = gather_two(a.wall.place, k);
-      const PairGeometry g = pair_geometry<periodic>(c, f.x[i], f.z[i], place.x, place.z);
-      next += keep_some(k, g.r2 < reach2, rows.index + next);
-    }
-    pad(middle, a.wall.n);
-    rows.begin[i] = first;
-    rows.wall_begin[i] = middle;
-    rows.end[i] = next;
+  std::int32_t* next = begin < end ? rows.index + a.rows.begin[begin / lanes] : rows.index;
+  const auto place = [&] { return static_cast<std::int32_t>(next - rows.index); };
+  for (int i = begin; i < end; i += lanes) {
+    const Group group(i, end);
+    const Row row(a.rows, i);
+    const int g = i / lanes;
+    const v8d x = group.load(f.x), z = group.load(f.z);
+    const auto reached = [&](const TwoLanes& other) {
+      const v8d rx = nearest<periodic>(c, x - other.x), rz = z - other.z;
+      return rx * rx + rz * rz < reach2;
+    };
+    rows.begin[g] = place();
+    next = pick(row.fluid, row.wall, f.n, next,
+                [&](const std::int32_t* j) { return reached(gather_two(f.motion, j)); });
+    rows.wall_begin[g] = place();
+    next = pick(row.wall, row.end, a.wall.n, next,
+                [&](const std::int32_t* k) { return reached(gather_two(a.wall.place, k)); });
+    rows.end[g] = place();
   }
 }
 

@@ -15,9 +15,11 @@ namespace parapet::solver {
 
 typedef double v8d __attribute__((vector_size(64)));
 typedef double v4d __attribute__((vector_size(32)));
+typedef float v8f __attribute__((vector_size(32)));
 typedef std::int64_t v8m __attribute__((vector_size(64)));
 
-#define PARAPET_INLINE static inline __attribute__((always_inline))
+#define PARAPET_MEMBER inline __attribute__((always_inline))
+#define PARAPET_INLINE static PARAPET_MEMBER
 
 PARAPET_INLINE v8d splat(double s) {
   return v8d{s, s, s, s, s, s, s, s};
@@ -171,6 +173,42 @@ PARAPET_INLINE v8d load(const double* values) {
 PARAPET_INLINE void store(double* values, v8d v) {
   __builtin_memcpy(values, &v, sizeof v);
 }
+
+// Kept as floats, computed with as doubles.
+PARAPET_INLINE v8d load(const float* values) {
+  v8f v;
+  __builtin_memcpy(&v, values, sizeof v);
+  return __builtin_convertvector(v, v8d);
+}
+
+PARAPET_INLINE void store(float* values, v8d v) {
+  const v8f narrow = __builtin_convertvector(v, v8f);
+  __builtin_memcpy(values, &narrow, sizeof narrow);
+}
+
+// Eight consecutive particles, one in each lane; fewer at the end of all. Lanes without a particle
+// read zeros and write nothing.
+struct Group {
+  int first, count;
+  Group(int begin, int end) : first(begin), count(end - begin < lanes ? end - begin : lanes) {}
+
+  PARAPET_MEMBER v8d load(const double* values) const {
+    if (count == lanes) return solver::load(values + first);
+    v8d v = splat(0.0);
+    for (int l = 0; l < count; ++l) v[l] = values[first + l];
+    return v;
+  }
+  PARAPET_MEMBER void store(double* values, v8d v) const {
+    if (count == lanes) return solver::store(values + first, v);
+    for (int l = 0; l < count; ++l) values[first + l] = v[l];
+  }
+  // Of records that go on to a whole group.
+  template <class Record>
+  PARAPET_MEMBER Lanes<Record> load(const Record* records) const {
+    static constexpr std::int32_t next[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    return gather(records + first, next);
+  }
+};
 
 PARAPET_INLINE v8d positive_part(v8d v) {
   const v8m keep = v > splat(0.0);

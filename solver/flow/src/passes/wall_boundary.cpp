@@ -6,18 +6,28 @@
 
 namespace parapet::solver::PARAPET_ISA {
 
+// Eight wall points and the slots of their fluid neighbours.
+struct WallGroup : Group {
+  const std::int32_t *points, *fluid, *fluid_end;
+  WallGroup(const RowView& rows, int begin, int end) : Group(begin, end) {
+    points = rows.active_wall + begin;
+    fluid = rows.wall_point_index + rows.wall_point_begin[begin / lanes];
+    fluid_end = rows.wall_point_index + rows.wall_point_begin[begin / lanes + 1];
+  }
+};
+
 template <bool periodic>
 static void extrapolate(const FlowArrays& a, int begin, int end) {
   const FlowConstants& c = a.constants;
-  for (int s = begin; s < end; ++s) {
-    const int k = a.rows.active_wall[s];
-    v8d w_sum = splat(0.0), p_sum = w_sum, hx = w_sum, hz = w_sum, us = w_sum, ws = w_sum;
-    for (int slot = a.rows.wall_point_begin[s]; slot < a.rows.wall_point_end[s]; slot += lanes) {
-      const std::int32_t* index = a.rows.wall_point_index + slot;
-      const auto motion = gather(a.fluid.motion, index);
-      const auto state = gather(a.fluid.state, index);
-      const PairGeometry g =
-          pair_geometry<periodic>(c, a.wall.x[k], a.wall.z[k], motion.x, motion.z);
+  const v8d zero = splat(0.0), one = splat(1.0);
+  for (int s = begin; s < end; s += lanes) {
+    const WallGroup group(a.rows, s, end);
+    const auto place = gather(a.wall.place, group.points);
+    v8d w_sum = zero, p_sum = zero, hx = zero, hz = zero, us = zero, ws = zero;
+    for (const std::int32_t* j = group.fluid; j != group.fluid_end; j += lanes) {
+      const auto motion = gather(a.fluid.motion, j);
+      const auto state = gather(a.fluid.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, place.x, place.z, motion.x, motion.z);
       const v8d w = kernel_w(c.kernel, g.q, g.t);
       const v8d rho_w = state.density * w;
       w_sum += w;
@@ -27,14 +37,14 @@ static void extrapolate(const FlowArrays& a, int begin, int end) {
       us += motion.u * w;
       ws += motion.w * w;
     }
-    const double total = sum_lanes(w_sum);
-    const double inverse = total > 0.0 ? 1.0 / total : 0.0;
-    const double head = c.gravity_x * sum_lanes(hx) + c.gravity_z * sum_lanes(hz);
-    const double p = (sum_lanes(p_sum) + head) * inverse;
-    a.wall.state[k] = {.pressure = p > 0.0 ? p : 0.0,  // a wall does not pull
-                       .fluid_u = sum_lanes(us) * inverse,
-                       .fluid_w = sum_lanes(ws) * inverse,
-                       .unused = 0.0};
+    const v8d inverse = w_sum > zero ? one / w_sum : zero;
+    const v8d head = splat(c.gravity_x) * hx + splat(c.gravity_z) * hz;
+    const v8d p = positive_part((p_sum + head) * inverse);  // a wall does not pull
+    const v8d u = us * inverse, w = ws * inverse;
+    for (int l = 0; l < group.count; ++l) {
+      a.wall.state[group.points[l]] = {
+          .pressure = p[l], .fluid_u = u[l], .fluid_w = w[l], .unused = 0.0};
+    }
   }
 }
 
@@ -46,31 +56,29 @@ void extrapolate_walls(const FlowArrays& a, int begin, int end) {
 template <bool periodic>
 static void load(const FlowArrays& a, double* fx, double* fz, int begin, int end) {
   const FlowConstants& c = a.constants;
-  for (int s = begin; s < end; ++s) {
-    const int k = a.rows.active_wall[s];
-    const WallState& state = a.wall.state[k];
-    const double wall_u = 2.0 * a.wall.u[k] - state.fluid_u;
-    const double wall_w = 2.0 * a.wall.w[k] - state.fluid_w;
+  for (int s = begin; s < end; s += lanes) {
+    const WallGroup group(a.rows, s, end);
+    const auto place = gather(a.wall.place, group.points);
+    const auto face = gather(a.wall.face, group.points);
+    const auto state = gather(a.wall.state, group.points);
+    const TwoLanes mirror = mirrored(face, state);
     v8d sx = splat(0.0), sz = sx;
-    for (int slot = a.rows.wall_point_begin[s]; slot < a.rows.wall_point_end[s]; slot += lanes) {
-      const std::int32_t* index = a.rows.wall_point_index + slot;
-      const PairGeometry g =
-          pair_geometry<periodic>(c, a.fluid.x, a.fluid.z, a.wall.x[k], a.wall.z[k], index);
-      const v8d fv = g.f * gather(a.fluid.volume, index) * splat(a.wall.volume[k]);
-      v8d scale = fv * (splat(state.pressure) + positive_part(gather(a.fluid.tic, index) *
-                                                              gather(a.fluid.pressure, index)));
+    for (const std::int32_t* j = group.fluid; j != group.fluid_end; j += lanes) {
+      const auto motion = gather(a.fluid.motion, j);
+      const auto fluid = gather(a.fluid.state, j);
+      const PairGeometry g = pair_geometry<periodic>(c, place.x, place.z, motion.x, motion.z);
+      const v8d fv = g.f * fluid.volume * place.volume;
+      v8d scale = fv * (state.pressure + positive_part(gather(a.fluid.tic, j) * fluid.pressure));
       if (c.no_slip) {
-        const v8d approach = (gather(a.fluid.u, index) - splat(wall_u)) * g.rx +
-                             (gather(a.fluid.w, index) - splat(wall_w)) * g.rz;
-        scale +=
-            splat(8.0) * gather(a.fluid.pair_viscosity, index) * fv * (approach / safe_r2(c, g.r2));
+        const v8d approach = (motion.u - mirror.x) * g.rx + (motion.w - mirror.z) * g.rz;
+        scale += splat(8.0) * fluid.pair_viscosity * fv * (approach / safe_r2(c, g.r2));
       }
       // g.rx points from the fluid to the wall here
       sx -= scale * g.rx;
       sz -= scale * g.rz;
     }
-    fx[s] = sum_lanes(sx);
-    fz[s] = sum_lanes(sz);
+    group.store(fx, sx);
+    group.store(fz, sz);
   }
 }
 

@@ -10,17 +10,30 @@
 
 namespace parapet::solver {
 
-/// Neighbour rows: slots [begin, wall_begin) hold fluid neighbours of a fluid particle, slots
-/// [wall_begin, end) the wall points that it sees; both parts are padded to full vectors.
+/// Groups of `lanes` particles that n of them make; the last one may have fewer.
+constexpr int groups_of(int n) {
+  return (n + lanes - 1) / lanes;
+}
+
+/// Neighbour rows of whole groups: group g holds the particles lanes g, lanes g + 1 and so on, and
+/// each of its slots `lanes` indices, one neighbour of each particle in their order. Slots [begin,
+/// wall_begin) hold fluid neighbours, slots [wall_begin, end) the wall points that a particle sees;
+/// a particle with fewer than others of its group has the ghost in its last ones.
+///
+///     for (int s = rows.begin[i / lanes] + i % lanes; s < rows.wall_begin[i / lanes]; s += lanes)
+///     {
+///       const int j = rows.index[s];  // a neighbour of i when j < fluid.n
+///
 struct RowView {
-  const std::int32_t* begin;             ///< [n_fluid]
-  const std::int32_t* wall_begin;        ///< [n_fluid]
-  const std::int32_t* end;               ///< [n_fluid]
-  const std::int32_t* index;             ///< [n_slots]
-  const std::int32_t* wall_point_begin;  ///< [n_active]: rows of wall points, fluid neighbours only
-  const std::int32_t* wall_point_end;    ///< [n_active]
-  const std::int32_t* wall_point_index;  ///< [n_wall_slots]
-  const std::int32_t* active_wall;       ///< [n_active]: wall points that see fluid
+  const std::int32_t* begin;       ///< [n_groups] where a group's first slot starts in index
+  const std::int32_t* wall_begin;  ///< [n_groups]
+  const std::int32_t* end;         ///< [n_groups]
+  const std::int32_t* index;       ///< [lanes n_slots]
+  /// Wall points that see fluid, [n_active] and ghosts up to a whole group; the rows of these
+  /// groups, fluid neighbours only, are [wall_point_begin[g], wall_point_begin[g + 1]).
+  const std::int32_t* active_wall;
+  const std::int32_t* wall_point_begin;  ///< [n_active_groups + 1]
+  const std::int32_t* wall_point_index;  ///< [lanes n_wall_slots]
   int n_active;
 };
 
@@ -39,11 +52,6 @@ struct alignas(32) WallState {
   double pressure;          ///< extrapolated from the fluid [Pa]
   double fluid_u, fluid_w;  ///< fluid velocity interpolated at the point [m/s]
   double unused;            ///< a record holds four
-};
-
-/// A vector in the plane, side by side.
-struct alignas(16) Pair {
-  double x, z;
 };
 
 /// Arrays [n + 1] of every quantity that lasts, and the records; names and units:
@@ -92,21 +100,26 @@ struct FlowConstants {
   bool no_slip;
 };
 
-/// Viscous matrix: slot s couples its pair by b b^T, b = sqrt(dt 8 eta_ij |F| V_i V_j) r_ij/r.
+/// Viscous matrix: a pair is coupled by s r r^T, r = r_ij, s = dt 8 eta_ij |F| V_i V_j/r^2.
 struct ViscousView {
-  double *bx, *bz;                                  ///< [n_slots], fluid slots only
-  double *diagonal_xx, *diagonal_xz, *diagonal_zz;  ///< [n_fluid] mass, pairs and walls
+  float* strength;                                  ///< s of the fluid's slots, by groups
+  const std::int32_t* begin;                        ///< [n_groups] where a group's start
   double *wall_xx, *wall_xz, *wall_zz;              ///< [n_fluid] mass and walls alone
+  double *diagonal_xx, *diagonal_xz, *diagonal_zz;  ///< [n_fluid] mass, pairs and walls
   double *rhs_x, *rhs_z;  ///< [n_fluid] momentum from the walls' lagged part
-  const double* mass;     ///< [n_fluid]
   double dt;
 };
 
-/// Vectors of the conjugate gradients; [n_fluid], padded with zeros to whole vectors. `scale` turns
-/// a squared residual into a squared acceleration, twice the same.
+/// Vectors of the conjugate gradients, [n_fluid]. The direction has its particles' places beside
+/// it, and goes on with ghosts to a whole group, at least one. `scale` turns a squared residual
+/// into a squared acceleration.
 struct DescentView {
-  Pair *solution, *residual, *preconditioned, *direction, *image;
-  const Pair *inverse_diagonal, *inverse_off, *scale;  ///< of the 2 x 2 block: (xx, zz), (xz, xz)
+  double *u, *w;  ///< solution
+  MotionRecord* direction;
+  double *residual_x, *residual_z;
+  const double *image_x, *image_z;
+  const double *inverse_xx, *inverse_xz, *inverse_zz;  ///< of the 2 x 2 block of the diagonal
+  const double* scale;
 };
 
 /// What a step of the conjugate gradients finds.
@@ -116,7 +129,7 @@ struct DescentSums {
 };
 
 /// Rows of the pairs within the support alone, for as long as no particle moves: the same shape as
-/// RowView's, of [n_fluid] and at most [n_slots].
+/// RowView's, of [n_groups] and at most [lanes n_slots].
 struct ReachedRows {
   std::int32_t *begin, *wall_begin, *end, *index;
 };

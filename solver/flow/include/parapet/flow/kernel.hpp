@@ -7,7 +7,7 @@
 
 namespace parapet::solver {
 
-/// Neighbour rows are padded to whole vectors of this many doubles.
+/// So many particles the neighbour sums treat at a time, one in each lane of a vector of doubles.
 constexpr int lanes = 8;
 
 /// Constants of the kernel for one smoothing length.

@@ -30,11 +30,9 @@ class NeighborRows {
   void invalidate() { valid_ = false; }
 
   RowView view() const;  ///< valid until the next build
-  /// Neighbours in all rows, those within the skin included: what the rows take in memory.
+  /// Indices in all rows, with those within the skin and the ghosts: what the rows take in memory.
   std::int64_t fluid_slots() const { return static_cast<std::int64_t>(index_.size()); }
-  bool touches_wall(int i) const {  ///< particle i has wall points in its row
-    return end_[static_cast<std::size_t>(i)] > wall_begin_[static_cast<std::size_t>(i)];
-  }
+  bool touches_wall(int i) const;  ///< particle i has wall points in its row
   /// Faces near a place: a superset of those within reach + skin.
   const std::vector<int>& faces_near(Vec2 p) const { return wall_cells_.faces_near(p); }
 
@@ -60,9 +58,11 @@ class NeighborRows {
     double x_min, x_max, z_min, z_max;
   };
   struct RowBuffer {  // one block's rows before they are joined
-    std::vector<std::int32_t> index, fluid_count, wall_count;
+    std::vector<std::int32_t> index, fluid_count, wall_count;  // counts by group, in indices
+    std::array<std::vector<std::int32_t>, lanes> fluid, wall;  // of the present group's particles
   };
 
+  std::int32_t wall_ghost() const { return static_cast<std::int32_t>(walls_.size()); }
   bool walls_may_be_reached(Vec2 p) const { return wall_cells_.may_be_reached_from(p); }
   void place_grid(const Fluid& fluid);
   void sort_by_cell(std::int64_t cells);
@@ -75,7 +75,7 @@ class NeighborRows {
                            std::vector<std::int32_t>& out) const;
   void add_wall_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
                           std::vector<std::int32_t>& out) const;
-  void join(const std::vector<RowBuffer>& buffers, int n);
+  void join(const RowBuffer& buffer);
   void transpose_wall_rows(int n);
 
   const Solids& solids_;
@@ -93,7 +93,8 @@ class NeighborRows {
   std::vector<double> built_x_, built_z_;           // positions at the build
 
   std::vector<std::int32_t> begin_, wall_begin_, end_, index_;
-  std::vector<std::int32_t> point_begin_, point_end_, point_index_, active_, point_count_;
+  std::vector<std::int32_t> point_begin_, point_index_, active_, point_count_;
+  int n_active_ = 0;
   std::vector<RowBuffer> buffers_;
   mutable std::vector<Motion> motion_;  // [cells] scratch of outdated()
 };

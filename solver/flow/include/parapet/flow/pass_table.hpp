@@ -1,5 +1,6 @@
-/// The passes: the neighbour sums, each over a range [begin, end) of particles or of wall points;
-/// one table per instruction set. Flow calls them; call them yourself to measure or to check them.
+/// The passes: the neighbour sums, each over a range [begin, end) of particles or of wall points
+/// that begins with a whole group; one table per instruction set. Flow calls them; call them
+/// yourself to measure or to check them.
 ///
 ///     FlowArrays arrays = flow.arrays();
 ///     const PassTable& passes = best_passes();
@@ -16,7 +17,7 @@ namespace parapet::solver {
 struct PassTable {
   const char* name;  ///< of the instruction set
   /// The rows without the pairs that the skin holds but the kernel does not reach; the rows of a
-  /// range start at its first row's old place.
+  /// range start at its first group's old place.
   void (*reached_rows)(const FlowArrays&, const ReachedRows&, int begin, int end);
   /// Pressure and velocity of the fluid at wall points (Adami et al. 2012); range over active_wall.
   void (*extrapolate_walls)(const FlowArrays&, int begin, int end);
@@ -31,12 +32,13 @@ struct PassTable {
   void (*density_rate)(const FlowArrays&, const ShiftedRates&, int begin, int end);
   /// The viscous force as a matrix, for the implicit step.
   void (*viscous_matrix)(const FlowArrays&, const ViscousView&, int begin, int end);
-  /// y = A p over the fluid; both [n_fluid + 1], p with the ghost at rest. Returns p . y.
-  double (*viscous_product)(const FlowArrays&, const ViscousView&, const Pair* p, Pair* y,
-                            int begin, int end);
-  /// solution += step direction, residual -= step image, preconditioned = D^-1 residual.
+  /// y = A p over the fluid. p: records of places and vectors, [n_fluid] and ghosts at rest up to
+  /// a whole group, at least one; yx, yz: [n_fluid]. Returns p . y.
+  double (*viscous_product)(const FlowArrays&, const ViscousView&, const MotionRecord* p,
+                            double* yx, double* yz, int begin, int end);
+  /// solution += step direction, residual -= step image.
   DescentSums (*descend)(const DescentView&, double step, int begin, int end);
-  /// direction = preconditioned + beta direction.
+  /// direction = D^-1 residual + beta direction.
   void (*turn)(const DescentView&, double beta, int begin, int end);
   /// Force of the fluid on wall points [N/m]; range over active_wall.
   void (*wall_load)(const FlowArrays&, double* fx, double* fz, int begin, int end);
