@@ -87,7 +87,7 @@ class NeighborRows {
 
   Grid grid_;                                       // over the fluid, renewed at each build
   std::vector<Cell> cells_;                         // ascending numbers
-  std::vector<std::int64_t> number_of_;             // of a particle's cell, before the sorting
+  std::vector<std::int64_t> number_of_;             // of a particle's layer, before the sorting
   std::vector<std::int32_t> order_, sorted_order_;  // old particle of a new one
   std::vector<std::int32_t> cell_of_;               // [n] index into cells_
   std::vector<double> built_x_, built_z_;           // positions at the build
