@@ -33,6 +33,7 @@ struct Subject {
     strength.assign(static_cast<std::size_t>(slots), 0.0F);
     for (auto& a : particle) a.assign(size, 0.0);
     for (auto& a : wall) a.assign(static_cast<std::size_t>(arrays.rows.n_active) + 1, 0.0);
+    sums = solver::GradientSumArrays(n);
     viscous = {strength.data(),
                matrix_begin.data(),
                particle[0].data(),
@@ -46,8 +47,6 @@ struct Subject {
                1.4e-4};
     solver::best_passes().viscous_matrix(arrays, viscous, 0, n);
     vector.assign(arrays.fluid.motion, arrays.fluid.motion + size);
-    // whole groups
-    while (vector.size() % solver::lanes != 0) vector.push_back(arrays.fluid.motion[n]);
   }
 
   solver::ShiftedRates rates() {
@@ -58,6 +57,7 @@ struct Subject {
   FlowArrays arrays;
   solver::PairCount pairs;
   int n = 0;
+  solver::GradientSumArrays sums{0};
   std::vector<float> strength;
   std::vector<std::int32_t> matrix_begin;
   std::vector<double> particle[12], wall[2];
@@ -84,9 +84,7 @@ const std::vector<Pass>& passes() {
          p.density_rate(s.arrays, s.rates(), 0, s.n);
        }},
       {"gradient_sums",
-       [](const PassTable& p, Subject& s) {
-         p.gradient_sums(s.arrays, s.flow.fluid().gradient_sums(), 0, s.n);
-       }},
+       [](const PassTable& p, Subject& s) { p.gradient_sums(s.arrays, s.sums.view, 0, s.n); }},
       {"viscous_force",
        [](const PassTable& p, Subject& s) {
          p.viscous_force(s.arrays, s.particle[8].data(), s.particle[9].data(), 0, s.n);

@@ -73,10 +73,10 @@ Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std:
   MassBalance& mass = result.mass;
   const Fluid& f = flow.fluid();
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) mass.in_domain += f.mass[i];
-  for (const InitialParticle& p : flow.setup().particles) mass.released += p.mass;
+  mass.released = flow.released_mass();
   mass.left_domain = flow.left_mass();
-  mass.particles_released = static_cast<std::int64_t>(flow.setup().particles.size());
   mass.particles_left = static_cast<std::int64_t>(flow.departures().size());
+  mass.particles_released = f.n + mass.particles_left;
   return result;
 }
 

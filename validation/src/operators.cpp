@@ -72,7 +72,8 @@ Unity unity(int across, double smoothing, bool settled) {
     const double factor = -kernel.f_scale * falloff * falloff * falloff * f.volume[j];
     gradient[i] = gradient[i] + factor * r_ij;
   });
-  const solver::GradientSums s = flow.fluid().gradient_sums();
+  const solver::GradientSumArrays sums = flow.gradient_sums();
+  const solver::GradientSums& s = sums.view;
   return {rms(f, [&](std::size_t i) { return sum[i] - 1.0; }),
           h * rms(f, [&](std::size_t i) { return norm(gradient[i]); }), rms(f, [&](std::size_t i) {
             return std::hypot(s.bxx[i] - 1.0, s.bxz[i], s.bzz[i] - 1.0);

@@ -38,12 +38,12 @@ void settle(FlowSetup& setup, double jitter, int steps) {
       if (f.x[i] >= length) f.x[i] -= length;
     }
     flow.evaluate();
-    const solver::GradientSums sums = f.gradient_sums();
+    const solver::GradientSumArrays sums = flow.gradient_sums();
     // about a third of the largest factor that does not overshoot
     const double factor = -0.1 * h * h;
     for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-      f.x[i] += factor * sums.shift_x[i];
-      f.z[i] += factor * sums.shift_z[i];
+      f.x[i] += factor * sums.view.shift_x[i];
+      f.z[i] += factor * sums.view.shift_z[i];
     }
   }
   const Fluid& f = std::as_const(flow).fluid();

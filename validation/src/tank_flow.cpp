@@ -159,11 +159,11 @@ void pack(FlowSetup& setup, const Tank& tank) {
     flow.prepare_neighbors();
     flow.extrapolate_walls();
     flow.update_gradients(0.0);
-    const solver::GradientSums sums = f.gradient_sums();
+    const solver::GradientSumArrays sums = flow.gradient_sums();
     for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
       const Vec2 at{f.x[i], f.z[i]};
       if (tank.surface - dot(up, at) < 2.0 * h) continue;
-      Vec2 step = (-0.15 * h * h) * Vec2{sums.shift_x[i], sums.shift_z[i]};
+      Vec2 step = (-0.15 * h * h) * Vec2{sums.view.shift_x[i], sums.view.shift_z[i]};
       const double size = norm(step), cap = 0.05 * dx;
       if (size > cap) step = (cap / size) * step;
       const Vec2 to = at + step;

@@ -49,6 +49,8 @@ Flow::Flow(FlowSetup setup)
       sound_speed_(setup_.start_sound_speed > 0.0 ? setup_.start_sound_speed
                                                   : setup_.numerics.sound_speed) {
   fluid_.assign(setup_.particles);
+  for (const InitialParticle& p : setup_.particles) released_mass_ += p.mass;
+  std::vector<InitialParticle>().swap(setup_.particles);  // the fluid has them now
   const std::size_t n = walls_.size();
   first_barrier_point_ = static_cast<int>(n);
   for (std::size_t k = n; k-- > 0;) {

@@ -125,10 +125,10 @@ void Flow::update_gradients(double interval) {
   const ShiftingSettings settings{smoothing_length(),
                                   interval * max_speed_ > stable ? stable / interval : max_speed_,
                                   setup_.numerics.shifting_factor, a.constants.no_slip};
-  const GradientSums sums = fluid_.gradient_sums();
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
-    passes_.gradient_sums(a, sums, begin, end);
-    finish_gradients(fluid_, settings, begin, end);
+    const GradientSumArrays sums(end - begin);
+    passes_.gradient_sums(a, sums.view, begin, end);
+    finish_gradients(fluid_, sums.view, settings, begin, end);
     for (std::size_t i = at(begin); i < at(end); ++i) {
       fluid_.viscosity[i] = apparent_viscosity(setup_.material, fluid_.shear_rate[i]);
       fluid_.pair_viscosity[i] = fluid_.quadrature[i] * fluid_.viscosity[i];
@@ -137,6 +137,12 @@ void Flow::update_gradients(double interval) {
   // only now: meanwhile other particles were looking at the old viscosities
   pack(&Fluid::pack_state);
   pack(&Fluid::pack_shift);
+}
+
+GradientSumArrays Flow::gradient_sums() {
+  GradientSumArrays sums(fluid_.n);
+  passes_.gradient_sums(arrays(), sums.view, 0, fluid_.n);
+  return sums;
 }
 
 void Flow::add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az) {
@@ -166,6 +172,7 @@ bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<
                                         setup_.numerics.cg_max_iterations, threads(), setup_.timer};
   const auto outcome =
       viscous_->solve(passes_, packed_arrays(), fluid_, u_star, w_star, u, w, dt, settings);
+  pack(&Fluid::pack_motion);
   statistics_.cg_iterations += outcome.iterations;
   if (setup_.timer) setup_.timer->add_visits(Stage::conjugate_gradients, outcome.iterations);
   return outcome.converged;

@@ -38,9 +38,9 @@ std::vector<InitialParticle> lattice_block(double x0, double z0, double length, 
 void Fluid::assign(std::span<const InitialParticle> particles) {
   n = static_cast<int>(particles.size());
   for_each_field([&](const FieldInfo& field, std::vector<double>& array) {
-    array.assign(particles.size(), field.first);
+    array.assign(particles.size() + 1, field.first);  // one more for the ghost
   });
-  id.resize(particles.size());
+  id.resize(particles.size() + 1);
   for (std::size_t i = 0; i < particles.size(); ++i) {
 #define PARAPET_RELEASE(name, ...) name[i] = particles[i].name;
     PARAPET_STATE_FIELDS(PARAPET_RELEASE)
@@ -117,12 +117,17 @@ ShiftedRates Fluid::rates() {
   return view;
 }
 
-GradientSums Fluid::gradient_sums() {
-  GradientSums view;
-#define PARAPET_POINT(name, ...) view.name = sums.name.data();
+GradientSumArrays::GradientSumArrays(int n) {
+#define PARAPET_COUNT(name) +1
+  constexpr int count = 0 PARAPET_GRADIENT_SUMS(PARAPET_COUNT);
+#undef PARAPET_COUNT
+  values_.resize(at(n) * count);
+  double* next = values_.data();
+#define PARAPET_POINT(name) \
+  view.name = next;         \
+  next += n;
   PARAPET_GRADIENT_SUMS(PARAPET_POINT)
 #undef PARAPET_POINT
-  return view;
 }
 
 #define PARAPET_PACK(name, Type, a, b, c, d)                  \

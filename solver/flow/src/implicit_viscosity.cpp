@@ -53,18 +53,20 @@ class ImplicitViscosity final : public TimeIntegrator {
   bool solve_viscosity(Flow& flow, double dt) {
     Fluid& f = flow.fluid();
     const auto n = static_cast<std::size_t>(f.n);
-    for (auto* a : {&u_star_, &w_star_, &u_, &w_}) a->resize(n + 1);
+    for (auto* a : {&u_, &w_}) a->resize(n + 1);
     const double interval = since_solve_ + dt;
+    // the velocity after all other forces takes the place of their acceleration
+    std::vector<double>&u_star = ax_, &w_star = az_;
     for (std::size_t i = 0; i < n; ++i) {
-      u_star_[i] = f.u[i] - since_solve_ * f.viscous_ax[i] + dt * ax_[i];
-      w_star_[i] = f.w[i] - since_solve_ * f.viscous_az[i] + dt * az_[i];
-      u_[i] = u_star_[i] + interval * f.viscous_ax[i];
-      w_[i] = w_star_[i] + interval * f.viscous_az[i];
+      u_star[i] = f.u[i] - since_solve_ * f.viscous_ax[i] + dt * ax_[i];
+      w_star[i] = f.w[i] - since_solve_ * f.viscous_az[i] + dt * az_[i];
+      u_[i] = u_star[i] + interval * f.viscous_ax[i];
+      w_[i] = w_star[i] + interval * f.viscous_az[i];
     }
-    if (!flow.solve_viscosity(u_star_, w_star_, u_, w_, interval)) return false;
+    if (!flow.solve_viscosity(u_star, w_star, u_, w_, interval)) return false;
     for (std::size_t i = 0; i < n; ++i) {
-      f.viscous_ax[i] = (u_[i] - u_star_[i]) / interval;
-      f.viscous_az[i] = (w_[i] - w_star_[i]) / interval;
+      f.viscous_ax[i] = (u_[i] - u_star[i]) / interval;
+      f.viscous_az[i] = (w_[i] - w_star[i]) / interval;
     }
     std::copy_n(u_.begin(), n, f.u.begin());
     std::copy_n(w_.begin(), n, f.w.begin());
@@ -86,7 +88,7 @@ class ImplicitViscosity final : public TimeIntegrator {
   int steps_per_solve_;
   int steps_;                 // since the last solve
   double since_solve_ = 0.0;  // [s]
-  std::vector<double> ax_, az_, u_star_, w_star_, u_, w_;
+  std::vector<double> ax_, az_, u_, w_;
 };
 
 }  // namespace

@@ -41,10 +41,10 @@ Vec2 shifting_velocity(Vec2 sum, double fluid_lambda, const ShiftingSettings& s)
 
 }  // namespace
 
-void finish_gradients(Fluid& f, const ShiftingSettings& settings, int begin, int end) {
-  const GradientSums s = f.gradient_sums();
-  for (int i = begin; i < end; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+void finish_gradients(Fluid& f, const GradientSums& s, const ShiftingSettings& settings, int begin,
+                      int end) {
+  for (int i = 0; i < end - begin; ++i) {
+    const auto k = static_cast<std::size_t>(begin + i);
     const Symmetric all{s.bxx[i], s.bxz[i], s.bzz[i]};
     const Symmetric fluid{s.fluid_bxx[i], s.fluid_bxz[i], s.fluid_bzz[i]};
     const double fluid_lambda = fluid.smallest_eigenvalue();

@@ -30,16 +30,13 @@ void ViscousSolve::resize(const FlowArrays& arrays) {
                       &image_x_, &image_z_, &scale_}) {
     array->resize(at(n));
   }
-  const MotionRecord ghost{far_away, far_away, 0.0, 0.0};
-  direction_.resize(at(lanes * (n / lanes + 1)));
-  std::fill(direction_.begin() + n, direction_.end(), ghost);
   const std::size_t blocks = at((n + block_size - 1) / block_size);
   partial_.resize(blocks);
   largest_.resize(blocks);
 }
 
 ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArrays& arrays,
-                                          const Fluid& fluid, const std::vector<double>& u_star,
+                                          Fluid& fluid, const std::vector<double>& u_star,
                                           const std::vector<double>& w_star, std::vector<double>& u,
                                           std::vector<double>& w, double dt,
                                           const Settings& settings) {
@@ -55,12 +52,12 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
                [&](int begin, int end) { passes.viscous_matrix(arrays, v, begin, end); });
   }
 
-  const DescentView d{u.data(),           w.data(),        direction_.data(), residual_x_.data(),
+  const DescentView d{u.data(),           w.data(),        fluid.motion.data(), residual_x_.data(),
                       residual_z_.data(), image_x_.data(), image_z_.data(),
                       dxx_.data(),  // from now on the inverse
                       dxz_.data(),        dzz_.data(),     scale_.data()};
   const auto product = [&](int begin, int end) {
-    return passes.viscous_product(arrays, v, direction_.data(), image_x_.data(), image_z_.data(),
+    return passes.viscous_product(arrays, v, fluid.motion.data(), image_x_.data(), image_z_.data(),
                                   begin, end);
   };
   const auto descend = [&](double step, int begin, int end) {
@@ -75,8 +72,8 @@ ViscousSolve::Outcome ViscousSolve::solve(const PassTable& passes, const FlowArr
   };
 
   for (std::size_t i = 0; i < at(n); ++i) {
-    const MotionRecord& motion = arrays.fluid.motion[i];
-    direction_[i] = {motion.x, motion.z, u[i], w[i]};
+    fluid.motion[i].u = u[i];
+    fluid.motion[i].w = w[i];
   }
   for_blocks(n, threads, [&](int begin, int end) {
     product(begin, end);

@@ -56,6 +56,7 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
   const v8d lowest = splat(0.2 * c.smoothing_length);
   for (int i = begin; i < end; i += lanes) {
     const Group group(i, end);
+    const Group sums(i - begin, end - begin);  // where they stand in the range
     const Row row(a.rows, i);
     Moments m = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
     v8d rho_x = zero, rho_z = zero;
@@ -72,11 +73,11 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
       rho_x += drho * g.rx;
       rho_z += drho * g.rz;
     }
-    group.store(out.fluid_bxx, m.bxx);
-    group.store(out.fluid_bxz, m.bxz);
-    group.store(out.fluid_bzz, m.bzz);
-    group.store(out.density_x, rho_x);
-    group.store(out.density_z, rho_z);
+    sums.store(out.fluid_bxx, m.bxx);
+    sums.store(out.fluid_bxz, m.bxz);
+    sums.store(out.fluid_bzz, m.bzz);
+    sums.store(out.density_x, rho_x);
+    sums.store(out.density_z, rho_z);
     for (const std::int32_t* k = row.wall; k != row.end; k += lanes) {
       const auto place = gather(a.wall.place, k);
       const PairGeometry g = pair_geometry<periodic>(c, x, z, place.x, place.z);
@@ -98,19 +99,19 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
       add(c, m, g, volume, du, dw);
       if (c.no_slip) add_fourth_moments(c, m, g, volume, du, dw);
     }
-    group.store(out.bxx, m.bxx);
-    group.store(out.bxz, m.bxz);
-    group.store(out.bzz, m.bzz);
-    group.store(out.shift_x, even_volume * m.sx);
-    group.store(out.shift_z, even_volume * m.sz);
-    group.store(out.ux, m.ux);
-    group.store(out.uz, m.uz);
-    group.store(out.wx, m.wx);
-    group.store(out.wz, m.wz);
-    group.store(out.approach2, m.approach2);
-    group.store(out.moment_pp, m.pp);
-    group.store(out.moment_pq, m.pq);
-    group.store(out.moment_qq, m.qq);
+    sums.store(out.bxx, m.bxx);
+    sums.store(out.bxz, m.bxz);
+    sums.store(out.bzz, m.bzz);
+    sums.store(out.shift_x, even_volume * m.sx);
+    sums.store(out.shift_z, even_volume * m.sz);
+    sums.store(out.ux, m.ux);
+    sums.store(out.uz, m.uz);
+    sums.store(out.wx, m.wx);
+    sums.store(out.wz, m.wz);
+    sums.store(out.approach2, m.approach2);
+    sums.store(out.moment_pp, m.pp);
+    sums.store(out.moment_pq, m.pq);
+    sums.store(out.moment_qq, m.qq);
   }
 }
 

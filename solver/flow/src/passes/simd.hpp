@@ -202,11 +202,12 @@ struct Group {
     if (count == lanes) return solver::store(values + first, v);
     for (int l = 0; l < count; ++l) values[first + l] = v[l];
   }
-  // Of records that go on to a whole group.
+  // Of records with a ghost behind them: it is read where there is no particle.
   template <class Record>
   PARAPET_MEMBER Lanes<Record> load(const Record* records) const {
-    static constexpr std::int32_t next[] = {0, 1, 2, 3, 4, 5, 6, 7};
-    return gather(records + first, next);
+    std::int32_t index[lanes];
+    for (int l = 0; l < lanes; ++l) index[l] = l < count ? l : count;
+    return gather(records + first, index);
   }
 };
 

@@ -117,14 +117,15 @@ class Flow {
   /// The wall points, which do not move.
   const WallPoints& walls() const { return walls_; }
   const Solids& solids() const { return setup_.solids; }  ///< of the setup
-  const FlowSetup& setup() const { return setup_; }       ///< with the particles as released
+  const FlowSetup& setup() const { return setup_; }       ///< without the particles
   double smoothing_length() const;                        ///< h [m]
   bool inviscid() const;                                  ///< neither yield stress nor consistency
   int threads() const { return setup_.threads; }          ///< of the setup
 
   /// All that have left, in the order in which they left.
   const std::vector<Departure>& departures() const { return departures_; }
-  double left_mass() const { return left_mass_; }  ///< of the departures [kg/m]
+  double left_mass() const { return left_mass_; }          ///< of the departures [kg/m]
+  double released_mass() const { return released_mass_; }  ///< of all particles at release [kg/m]
   /// Reads and clears the impulses since the last call, one for each load cell.
   std::vector<BarrierImpulse> take_impulses();
   /// Number of particles inside a solid body, below the bed or behind the back wall.
@@ -153,6 +154,8 @@ class Flow {
   /// Renormalised gradients, shifting velocity and rheology (Eq. 8-11, 13-15).
   /// @param interval the shifting velocity will be kept that long [s]
   void update_gradients(double interval);
+  /// What update_gradients starts from: the sums of all particles, with the wall state as it is.
+  GradientSumArrays gradient_sums();
   /// Acceleration by pressure, gravity and the central force into ax, az, [n + 1] each [m/s2];
   /// what stood there is lost.
   void add_body_and_pressure_force(std::vector<double>& ax, std::vector<double>& az);
@@ -194,7 +197,8 @@ class Flow {
   std::vector<double> x_before_, z_before_, u_before_, w_before_;
   RunStatistics statistics_;
   double sound_speed_, flow_speed_ = 0.0;  // [m/s]; of the fastest particle that is not spray
-  double time_ = 0.0, dt_ = 0.0, max_speed_ = 0.0, max_acceleration_ = 0.0, left_mass_ = 0.0;
+  double time_ = 0.0, dt_ = 0.0, max_speed_ = 0.0, max_acceleration_ = 0.0;
+  double left_mass_ = 0.0, released_mass_ = 0.0;  // [kg/m]
 };
 
 }  // namespace parapet::solver

@@ -75,17 +75,18 @@ struct WallView {
   WallState* state;  ///< the ghost's is zero
 };
 
-/// What the gradient and the density pass write, [n_fluid] each.
-#define PARAPET_WRITTEN_FIELD(name, ...) double* name;
-/// Sums of the gradient pass.
+/// Sums of the gradient pass over a range of particles, [end - begin] each.
 struct GradientSums {
-  PARAPET_GRADIENT_SUMS(PARAPET_WRITTEN_FIELD)
+#define PARAPET_WRITTEN_SUM(name) double* name;
+  PARAPET_GRADIENT_SUMS(PARAPET_WRITTEN_SUM)
+#undef PARAPET_WRITTEN_SUM
 };
-/// Rates of the density pass.
+/// Rates of the density pass, [n_fluid] each.
 struct ShiftedRates {
-  PARAPET_RATE_FIELDS(PARAPET_WRITTEN_FIELD)
+#define PARAPET_WRITTEN_RATE(name, ...) double* name;
+  PARAPET_RATE_FIELDS(PARAPET_WRITTEN_RATE)
+#undef PARAPET_WRITTEN_RATE
 };
-#undef PARAPET_WRITTEN_FIELD
 
 /// What is the same for all particles.
 struct FlowConstants {
@@ -110,9 +111,8 @@ struct ViscousView {
   double dt;
 };
 
-/// Vectors of the conjugate gradients, [n_fluid]. The direction has its particles' places beside
-/// it, and goes on with ghosts to a whole group, at least one. `scale` turns a squared residual
-/// into a squared acceleration.
+/// Vectors of the conjugate gradients, [n_fluid]. The direction has its particles' places beside it
+/// and a ghost behind it. `scale` turns a squared residual into a squared acceleration.
 struct DescentView {
   double *u, *w;  ///< solution
   MotionRecord* direction;

@@ -25,24 +25,33 @@ std::vector<InitialParticle> lattice_block(double x0, double z0, double length, 
 
 /// One line of the table of quantities.
 struct FieldInfo {
-  const char* name;  ///< of the member; sums begin with "sums."
+  const char* name;  ///< of the member
   Lifetime lifetime;
   double first;  ///< of every particle at release, but for the state
   double ghost;  ///< of the ghost, always
 };
 
+/// Room for the sums of the gradient pass over n particles, in the arrays that `view` points at.
+/// They are read right after the pass, so a flow keeps those of a few particles at a time.
+class GradientSumArrays {
+ public:
+  explicit GradientSumArrays(int n);
+  GradientSumArrays(GradientSumArrays&&) = default;
+  GradientSumArrays& operator=(GradientSumArrays&&) = default;
+  GradientSums view;  ///< valid as long as this
+
+ private:
+  std::vector<double> values_;
+};
+
 /// The particles. Members are one std::vector<double> of [n + 1] for each line of
 /// PARAPET_PARTICLE_FIELDS (x, z, u, w, density, mass, pressure, volume and so on) in
-/// particle_fields.hpp, which says what they are; in `sums` one for each line of
-/// PARAPET_GRADIENT_SUMS. The last entry is the ghost that pads neighbour rows.
+/// particle_fields.hpp, which says what they are. The last entry is the ghost that pads neighbour
+/// rows.
 struct Fluid {
   int n = 0;  ///< number of particles
 #define PARAPET_ARRAY(name, ...) std::vector<double> name;
   PARAPET_PARTICLE_FIELDS(PARAPET_ARRAY)
-  /// What the gradient pass found last.
-  struct Sums {
-    PARAPET_GRADIENT_SUMS(PARAPET_ARRAY)
-  } sums;
 #undef PARAPET_ARRAY
 #define PARAPET_RECORDS(name, Type, ...) std::vector<Type> name;
   PARAPET_PARTICLE_RECORDS(PARAPET_RECORDS)
@@ -64,9 +73,8 @@ struct Fluid {
   PARAPET_PARTICLE_RECORDS(PARAPET_PACK)
 #undef PARAPET_PACK
 
-  FluidView view() const;        ///< valid until the number of particles changes
-  GradientSums gradient_sums();  ///< likewise
-  ShiftedRates rates();          ///< likewise
+  FluidView view() const;  ///< valid until the number of particles changes
+  ShiftedRates rates();    ///< likewise
 
   /// Calls visit(FieldInfo, array) for every quantity.
   template <class Visit>
@@ -85,10 +93,6 @@ struct Fluid {
 #define PARAPET_VISIT(name, lifetime, first, ghost) \
   visit(FieldInfo{#name, Lifetime::lifetime, first, ghost}, self.name);
     PARAPET_PARTICLE_FIELDS(PARAPET_VISIT)
-#undef PARAPET_VISIT
-#define PARAPET_VISIT(name, lifetime, first, ghost) \
-  visit(FieldInfo{"sums." #name, Lifetime::lifetime, first, ghost}, self.sums.name);
-    PARAPET_GRADIENT_SUMS(PARAPET_VISIT)
 #undef PARAPET_VISIT
   }
   void set_ghost();

@@ -68,25 +68,25 @@ constexpr bool survives_removal(Lifetime lifetime) {
 
 // What the gradient pass finds: sums over the neighbours j of particle i, r = r_j - r_i,
 // u = u_j - u_i and so on. B = sum r (x) grad W V_j. F = W'/r. p = x^2 - z^2 and q = 2 x z of r.
-#define PARAPET_GRADIENT_SUMS(FIELD)                                                               \
-  FIELD(fluid_bxx,      passing, 0.0, 0.0)      /* B over the fluid alone                       */ \
-  FIELD(fluid_bxz,      passing, 0.0, 0.0)      /*                                              */ \
-  FIELD(fluid_bzz,      passing, 0.0, 0.0)      /*                                              */ \
-  FIELD(bxx,            passing, 0.0, 0.0)      /* B over fluid and walls                       */ \
-  FIELD(bxz,            passing, 0.0, 0.0)      /*                                              */ \
-  FIELD(bzz,            passing, 0.0, 0.0)      /*                                              */ \
-  FIELD(density_x,      passing, 0.0, 0.0)      /* sum rho grad W V_j over the fluid [kg/m4]    */ \
-  FIELD(density_z,      passing, 0.0, 0.0)      /*                                              */ \
-  FIELD(ux,             passing, 0.0, 0.0)      /* sum u grad W V_j over fluid and walls [1/s]  */ \
-  FIELD(uz,             passing, 0.0, 0.0)      /*                                              */ \
-  FIELD(wx,             passing, 0.0, 0.0)      /* sum w grad W V_j over fluid and walls [1/s]  */ \
-  FIELD(wz,             passing, 0.0, 0.0)      /*                                              */ \
-  FIELD(shift_x,        passing, 0.0, 0.0)      /* Eq. 9 without its factor, fluid and walls    */ \
-  FIELD(shift_z,        passing, 0.0, 0.0)      /* [1/m]                                        */ \
-  FIELD(approach2,      passing, 0.0, 0.0)      /* sum (u . r)^2 |F| V_j/r^2 [1/s2], over what  */ \
-  FIELD(moment_pp,      passing, 0.0, 0.0)      /* shears i: the fluid, and walls without slip  */ \
-  FIELD(moment_pq,      passing, 0.0, 0.0)      /* sum (p^2, p q, q^2) |F| V_j/r^2, over the    */ \
-  FIELD(moment_qq,      passing, 0.0, 0.0)      /* same                                         */
+#define PARAPET_GRADIENT_SUMS(SUM)                                                                 \
+  SUM(fluid_bxx)      /* B over the fluid alone                                                */ \
+  SUM(fluid_bxz)      /*                                                                       */ \
+  SUM(fluid_bzz)      /*                                                                       */ \
+  SUM(bxx)            /* B over fluid and walls                                                */ \
+  SUM(bxz)            /*                                                                       */ \
+  SUM(bzz)            /*                                                                       */ \
+  SUM(density_x)      /* sum rho grad W V_j over the fluid [kg/m4]                             */ \
+  SUM(density_z)      /*                                                                       */ \
+  SUM(ux)             /* sum u grad W V_j over fluid and walls [1/s]                           */ \
+  SUM(uz)             /*                                                                       */ \
+  SUM(wx)             /* sum w grad W V_j over fluid and walls [1/s]                           */ \
+  SUM(wz)             /*                                                                       */ \
+  SUM(shift_x)        /* Eq. 9 without its factor, fluid and walls                             */ \
+  SUM(shift_z)        /* [1/m]                                                                 */ \
+  SUM(approach2)      /* sum (u . r)^2 |F| V_j/r^2 [1/s2], over what                           */ \
+  SUM(moment_pp)      /* shears i: the fluid, and walls without slip                           */ \
+  SUM(moment_pq)      /* sum (p^2, p q, q^2) |F| V_j/r^2, over the                             */ \
+  SUM(moment_qq)      /* same                                                                    */
 
 #define PARAPET_PARTICLE_FIELDS(FIELD) \
   PARAPET_STATE_FIELDS(FIELD)          \

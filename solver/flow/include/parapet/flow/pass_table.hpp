@@ -21,7 +21,7 @@ struct PassTable {
   void (*reached_rows)(const FlowArrays&, const ReachedRows&, int begin, int end);
   /// Pressure and velocity of the fluid at wall points (Adami et al. 2012); range over active_wall.
   void (*extrapolate_walls)(const FlowArrays&, int begin, int end);
-  /// All sums of the renormalised gradients, shifting and strain rate.
+  /// All sums of the renormalised gradients, shifting and strain rate; those of `begin` come first.
   void (*gradient_sums)(const FlowArrays&, const GradientSums&, int begin, int end);
   /// Pressure part of Eq. 6 into ax, az [m/s2].
   void (*pressure_force)(const FlowArrays&, double* ax, double* az, int begin, int end);
@@ -32,8 +32,8 @@ struct PassTable {
   void (*density_rate)(const FlowArrays&, const ShiftedRates&, int begin, int end);
   /// The viscous force as a matrix, for the implicit step.
   void (*viscous_matrix)(const FlowArrays&, const ViscousView&, int begin, int end);
-  /// y = A p over the fluid. p: records of places and vectors, [n_fluid] and ghosts at rest up to
-  /// a whole group, at least one; yx, yz: [n_fluid]. Returns p . y.
+  /// y = A p over the fluid. p: places, and the vector in place of the velocities, [n_fluid + 1]
+  /// with a ghost at rest; yx, yz: [n_fluid]. Returns p . y.
   double (*viscous_product)(const FlowArrays&, const ViscousView&, const MotionRecord* p,
                             double* yx, double* yz, int begin, int end);
   /// solution += step direction, residual -= step image.

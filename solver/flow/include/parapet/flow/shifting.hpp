@@ -27,7 +27,8 @@ struct ShiftingSettings {
 };
 
 /// Fills lambda, closeness, tic, shift_u/w, density_grad, quadrature and shear_rate of particles
-/// [begin, end) from their sums and pressures.
-void finish_gradients(Fluid& fluid, const ShiftingSettings& settings, int begin, int end);
+/// [begin, end) from their sums, those of `begin` first, and pressures.
+void finish_gradients(Fluid& fluid, const GradientSums& sums, const ShiftingSettings& settings,
+                      int begin, int end);
 
 }  // namespace parapet::solver
