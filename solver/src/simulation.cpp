@@ -9,6 +9,7 @@
 #include "gauges/recorder.hpp"
 #include "parapet/flow/channel.hpp"
 #include "parapet/flow/stage_timer.hpp"
+#include "shared_start.hpp"
 
 namespace parapet::solver {
 namespace {
@@ -85,7 +86,8 @@ struct Ending {
   std::string reason;
 };
 
-Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Callbacks& callbacks) {
+Ending run(Flow& flow, Recorder& recorder, SharedStart& start, const RunOptions& options,
+           const Callbacks& callbacks) {
   const auto whole = [](double time, double interval) {
     return static_cast<std::int64_t>(std::llround(time / interval));
   };
@@ -100,9 +102,13 @@ Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Call
     const StageScope scope(timer, Stage::gauges);
     return action();
   };
-  gauge([&] { recorder.sample(flow); });
-  if (frame_every > 0) show_frame(flow, callbacks);
-  for (std::int64_t sample = 1; sample <= samples; ++sample) {
+  const std::int64_t begun = start.resume(flow, recorder, samples);
+  if (begun == 0) {
+    gauge([&] { recorder.sample(flow); });
+    start.sampled(flow, recorder);
+    if (frame_every > 0) show_frame(flow, callbacks);
+  }
+  for (std::int64_t sample = std::max<std::int64_t>(1, begun); sample <= samples; ++sample) {
     const double target = sample == samples ? options.stop_time
                                             : static_cast<double>(sample) * options.series_interval;
     while (target - flow.time() > 1e-9 * options.series_interval) {
@@ -111,12 +117,14 @@ Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Call
                 failure->reason + " at t = " + std::to_string(flow.time()) + " s"};
       }
       gauge([&] { recorder.after_step(flow); });
+      start.stepped(flow);
       if (flow.fluid().n == 0) {
         gauge([&] { recorder.sample(flow); });
         return {StopReason::drained, ""};
       }
     }
     gauge([&] { recorder.sample(flow); });
+    start.sampled(flow, recorder);
     if (frame_every > 0 && sample % frame_every == 0) show_frame(flow, callbacks);
     if (callbacks.on_progress &&
         !callbacks.on_progress({flow.time(), options.stop_time, flow.statistics().steps})) {
@@ -130,7 +138,7 @@ Ending run(Flow& flow, Recorder& recorder, const RunOptions& options, const Call
 }  // namespace
 
 Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& options,
-                const Callbacks& callbacks) {
+                const Callbacks& callbacks, StartStates* starts) {
   require_sound_input(scene, numerics, options);
   const auto start = std::chrono::steady_clock::now();
   StageTimer timer;
@@ -138,7 +146,10 @@ Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& 
   if (options.profile) setup.timer = &timer;
   Flow flow(std::move(setup));
   Recorder recorder(scene, flow, options);
-  Ending ending = run(flow, recorder, options, callbacks);
+  // frames and profiles are of the whole run
+  const bool whole = options.profile || (options.frame_interval > 0.0 && callbacks.on_frame);
+  SharedStart shared(whole ? nullptr : starts, scene, numerics, options);
+  Ending ending = run(flow, recorder, shared, options, callbacks);
   Result result = finish(flow, recorder, ending.stop_reason, std::move(ending.reason));
   result.statistics.wall_time =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -45,9 +45,9 @@ Flow::Flow(FlowSetup setup)
       integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
                       ? make_rk4_explicit()
                       : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
-      impulses_(at(setup_.n_barriers)),
-      sound_speed_(setup_.start_sound_speed > 0.0 ? setup_.start_sound_speed
-                                                  : setup_.numerics.sound_speed) {
+      impulses_(at(setup_.n_barriers)) {
+  now_.sound_speed =
+      setup_.start_sound_speed > 0.0 ? setup_.start_sound_speed : setup_.numerics.sound_speed;
   fluid_.assign(setup_.particles);
   for (const InitialParticle& p : setup_.particles) released_mass_ += p.mass;
   std::vector<InitialParticle>().swap(setup_.particles);  // the fluid has them now
@@ -58,10 +58,37 @@ Flow::Flow(FlowSetup setup)
       first_barrier_point_ = static_cast<int>(k);
     }
   }
-  max_acceleration_ = norm(setup_.gravity);
+  now_.max_acceleration = norm(setup_.gravity);
 }
 
 Flow::~Flow() = default;
+
+FlowState Flow::state() const {
+  FlowState state{now_, integrator_->clock(), departures_, fluid_.compact(), {}, {}};
+  if (rows_.valid()) {
+    state.built_x = rows_.built_x();
+    state.built_z = rows_.built_z();
+  }
+  return state;
+}
+
+void Flow::resume(const FlowState& state) {
+  now_ = state.progress;
+  departures_ = state.departures;
+  integrator_->set_clock(state.clock);
+  fluid_ = state.fluid;
+  fluid_.expand();
+  rows_.invalidate();
+  if (state.built_x.empty()) return;
+  // The rows as they were: built where the particles stood then, which leaves them in their order.
+  std::vector<double> x = fluid_.x, z = fluid_.z;
+  std::copy(state.built_x.begin(), state.built_x.end(), fluid_.x.begin());
+  std::copy(state.built_z.begin(), state.built_z.end(), fluid_.z.begin());
+  rows_.build(fluid_, threads());
+  fluid_.x = std::move(x);
+  fluid_.z = std::move(z);
+  pack(&Fluid::pack);
+}
 
 std::optional<Failure> Flow::check_state() {
   const double rho_0 = setup_.material.density;
@@ -74,13 +101,14 @@ std::optional<Failure> Flow::check_state() {
     compression = std::max(compression, std::abs(fluid_.density[i] / rho_0 - 1.0));
     finite = finite && std::isfinite(s2 + fluid_.density[i] + fluid_.x[i] + fluid_.z[i]);
   }
-  max_speed_ = std::sqrt(speed2);
-  flow_speed_ = std::sqrt(flow_speed2);
+  now_.max_speed = std::sqrt(speed2);
+  now_.flow_speed = std::sqrt(flow_speed2);
   if (!finite) return Failure{StopReason::not_a_number, "a particle's state is not a number"};
-  statistics_.max_speed = std::max(statistics_.max_speed, max_speed_);
-  statistics_.max_density_error = std::max(statistics_.max_density_error, compression);
-  if (max_speed_ > speed_limit * setup_.numerics.sound_speed) {
-    return Failure{StopReason::runaway_speed, "a particle moves at " + std::to_string(max_speed_) +
+  now_.statistics.max_speed = std::max(now_.statistics.max_speed, now_.max_speed);
+  now_.statistics.max_density_error = std::max(now_.statistics.max_density_error, compression);
+  if (now_.max_speed > speed_limit * setup_.numerics.sound_speed) {
+    return Failure{StopReason::runaway_speed, "a particle moves at " +
+                                                  std::to_string(now_.max_speed) +
                                                   " m/s, more than half the sound speed"};
   }
   if (compression > density_limit) {
@@ -95,11 +123,11 @@ std::optional<Failure> Flow::check_state() {
 void Flow::follow_flow() {
   const double most = setup_.numerics.sound_speed;
   const double least = setup_.numerics.sound_speed_floor * most;
-  const double wanted = std::clamp(mach_inverse * flow_speed_, least, most);
-  const bool enough = wanted <= sound_speed_;
-  if (enough && wanted > slack * sound_speed_ && wanted > least) return;
-  if (wanted == sound_speed_) return;
-  const double stretch = (sound_speed_ * sound_speed_) / (wanted * wanted);
+  const double wanted = std::clamp(mach_inverse * now_.flow_speed, least, most);
+  const bool enough = wanted <= now_.sound_speed;
+  if (enough && wanted > slack * now_.sound_speed && wanted > least) return;
+  if (wanted == now_.sound_speed) return;
+  const double stretch = (now_.sound_speed * now_.sound_speed) / (wanted * wanted);
   const double rho_0 = setup_.material.density;
   for (std::size_t i = 0; i < at(fluid_.n); ++i) {
     fluid_.density[i] = rho_0 + stretch * (fluid_.density[i] - rho_0);
@@ -107,7 +135,7 @@ void Flow::follow_flow() {
     fluid_.density_grad_z[i] *= stretch;
   }
   pack(&Fluid::pack_shift);
-  sound_speed_ = wanted;
+  now_.sound_speed = wanted;
 }
 
 void Flow::remove_departed() {
@@ -121,7 +149,7 @@ void Flow::remove_departed() {
     if (fluid_.x[k] > setup_.outlet_x || fluid_.z[k] > setup_.ceiling_z) {
       leaving.push_back(i);
       departures_.push_back({fluid_.id[k], fluid_.mass[k], fluid_.x[k]});
-      left_mass_ += fluid_.mass[k];
+      now_.left_mass += fluid_.mass[k];
     }
   }
   if (leaving.empty()) return;
@@ -131,7 +159,7 @@ void Flow::remove_departed() {
 
 std::optional<Failure> Flow::step(double longest) {
   const StageScope scope(setup_.timer, Stage::step_control);
-  if (statistics_.steps == 0) {
+  if (now_.statistics.steps == 0) {
     update_pressure();
     if (auto failure = check_state()) return failure;
   }
@@ -146,10 +174,10 @@ std::optional<Failure> Flow::step(double longest) {
   }
   const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic
                                                         : integrator_->default_acoustic_cfl();
-  const TimeStepInput input{smoothing_length(),      max_speed_, max_acceleration_, max_viscosity,
-                            setup_.material.density, cfl};
+  const TimeStepInput input{smoothing_length(), now_.max_speed,          now_.max_acceleration,
+                            max_viscosity,      setup_.material.density, cfl};
   Numerics numerics = setup_.numerics;
-  numerics.sound_speed = sound_speed_;
+  numerics.sound_speed = now_.sound_speed;
   const double stable = stable_time_step(numerics, input);
   if (!(stable > shortest_step)) {
     return Failure{StopReason::time_step_collapse,
@@ -177,11 +205,11 @@ std::optional<Failure> Flow::step(double longest) {
     const double du = u[i] - u_before_[i], dw = w[i] - w_before_[i];
     a2 = std::max(a2, du * du + dw * dw);
   }
-  max_acceleration_ = std::sqrt(a2) / dt;
+  now_.max_acceleration = std::sqrt(a2) / dt;
   remove_departed();
-  time_ += dt;
-  dt_ = dt;
-  ++statistics_.steps;
+  now_.time += dt;
+  now_.time_step = dt;
+  ++now_.statistics.steps;
   return std::nullopt;
 }
 

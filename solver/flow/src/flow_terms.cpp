@@ -47,7 +47,7 @@ FlowArrays Flow::packed_arrays() {
   FlowConstants c;
   c.kernel = make_kernel(smoothing_length(), numerics.spacing);
   c.smoothing_length = smoothing_length();
-  c.sound_speed = sound_speed_;
+  c.sound_speed = now_.sound_speed;
   c.reference_density = setup_.material.density;
   c.density_diffusion = numerics.density_diffusion;
   c.gravity_x = setup_.gravity.x;
@@ -70,7 +70,7 @@ void Flow::prepare_neighbors() {
     const StageScope build(setup_.timer, Stage::neighbor_rows);
     rows_.build(fluid_, threads());
     pack(&Fluid::pack);  // the particles stand in another order now
-    ++statistics_.neighbor_builds;
+    ++now_.statistics.neighbor_builds;
   }
   find_reached_pairs();
   if (!outdated || setup_.timer == nullptr) return;
@@ -94,7 +94,7 @@ void Flow::find_reached_pairs() {
 
 void Flow::update_pressure() {
   const StageScope scope(setup_.timer, Stage::equation_of_state);
-  const double c2 = sound_speed_ * sound_speed_;
+  const double c2 = now_.sound_speed * now_.sound_speed;
   const double rho_0 = setup_.material.density;
   const double most = setup_.numerics.sound_speed;
   const double thinnest_spray = 1.0 - spray_stretch * (most * most / c2);
@@ -122,9 +122,9 @@ void Flow::update_gradients(double interval) {
   const StageScope scope(setup_.timer, Stage::gradients);
   const FlowArrays a = packed_arrays();
   const double stable = farthest_shift * setup_.numerics.spacing;
-  const ShiftingSettings settings{smoothing_length(),
-                                  interval * max_speed_ > stable ? stable / interval : max_speed_,
-                                  setup_.numerics.shifting_factor, a.constants.no_slip};
+  const ShiftingSettings settings{
+      smoothing_length(), interval * now_.max_speed > stable ? stable / interval : now_.max_speed,
+      setup_.numerics.shifting_factor, a.constants.no_slip};
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     const GradientSumArrays sums(end - begin);
     passes_.gradient_sums(a, sums.view, begin, end);
@@ -173,7 +173,7 @@ bool Flow::solve_viscosity(const std::vector<double>& u_star, const std::vector<
   const auto outcome =
       viscous_->solve(passes_, packed_arrays(), fluid_, u_star, w_star, u, w, dt, settings);
   pack(&Fluid::pack_motion);
-  statistics_.cg_iterations += outcome.iterations;
+  now_.statistics.cg_iterations += outcome.iterations;
   if (setup_.timer) setup_.timer->add_visits(Stage::conjugate_gradients, outcome.iterations);
   return outcome.converged;
 }
@@ -196,7 +196,7 @@ void Flow::evaluate() {
 
 void Flow::refresh() {
   update_pressure();
-  if (statistics_.steps > 0) return;
+  if (now_.statistics.steps > 0) return;
   evaluate();
 }
 

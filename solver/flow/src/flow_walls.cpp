@@ -62,7 +62,7 @@ void Flow::stop_at_walls() {
     ParticleMotion motion{before, {fluid_.x[k], fluid_.z[k]}, {fluid_.u[k], fluid_.w[k]}};
     const int face = contact.apply(motion, faces);
     if (face < 0) continue;
-    ++statistics_.wall_contacts;
+    ++now_.statistics.wall_contacts;
     const int barrier = setup_.solids.faces[at(face)].barrier;
     if (barrier >= 0) {
       const Vec2 lost = Vec2{fluid_.u[k], fluid_.w[k]} - motion.velocity;

@@ -98,6 +98,26 @@ void Fluid::remove(std::span<const std::int32_t> indices) {
   set_ghost();
 }
 
+Fluid Fluid::compact() const {
+  Fluid copy;
+  copy.n = n;
+  copy.id = id;
+  std::vector<const std::vector<double>*> arrays;
+  for_each_field(
+      [&](const FieldInfo&, const std::vector<double>& array) { arrays.push_back(&array); });
+  auto from = arrays.begin();
+  copy.for_each_field([&](const FieldInfo& field, std::vector<double>& array) {
+    if (survives_removal(field.lifetime)) array = **from;
+    ++from;
+  });
+  return copy;
+}
+
+void Fluid::expand() {
+  set_ghost();
+  pack(0, n);
+}
+
 FluidView Fluid::view() const {
   FluidView view;
   view.n = n;

@@ -16,16 +16,18 @@ namespace {
 class ImplicitViscosity final : public TimeIntegrator {
  public:
   explicit ImplicitViscosity(int steps_per_solve)
-      : steps_per_solve_(steps_per_solve), steps_(steps_per_solve - 1) {}
+      : steps_per_solve_(steps_per_solve), clock_{.steps = steps_per_solve - 1} {}
 
   double default_acoustic_cfl() const override { return 1.0; }
   bool explicit_viscosity() const override { return false; }
+  IntegrationClock clock() const override { return clock_; }
+  void set_clock(const IntegrationClock& clock) override { clock_ = clock; }
 
   std::optional<Failure> advance(Flow& flow, double dt) override {
     const auto n = static_cast<std::size_t>(flow.fluid().n);
     for (auto* a : {&ax_, &az_}) a->assign(n + 1, 0.0);
     flow.extrapolate_walls();
-    const bool solve = ++steps_ >= steps_per_solve_;
+    const bool solve = ++clock_.steps >= steps_per_solve_;
     if (solve) flow.update_gradients(steps_per_solve_ * dt);
     flow.add_body_and_pressure_force(ax_, az_);
     if (flow.inviscid() || !solve) {
@@ -34,7 +36,7 @@ class ImplicitViscosity final : public TimeIntegrator {
       return Failure{StopReason::viscous_solver,
                      "the conjugate gradients of the viscous step did not converge"};
     }
-    if (solve) steps_ = 0;
+    if (solve) clock_.steps = 0;
     flow.measure_barrier_load(dt);
     flow.update_density_rate();
     move(flow.fluid(), dt);
@@ -47,19 +49,19 @@ class ImplicitViscosity final : public TimeIntegrator {
       f.u[i] += dt * (ax_[i] + f.viscous_ax[i]);
       f.w[i] += dt * (az_[i] + f.viscous_az[i]);
     }
-    since_solve_ += dt;
+    clock_.since_solve += dt;
   }
 
   bool solve_viscosity(Flow& flow, double dt) {
     Fluid& f = flow.fluid();
     const auto n = static_cast<std::size_t>(f.n);
     for (auto* a : {&u_, &w_}) a->resize(n + 1);
-    const double interval = since_solve_ + dt;
+    const double interval = clock_.since_solve + dt;
     // the velocity after all other forces takes the place of their acceleration
     std::vector<double>&u_star = ax_, &w_star = az_;
     for (std::size_t i = 0; i < n; ++i) {
-      u_star[i] = f.u[i] - since_solve_ * f.viscous_ax[i] + dt * ax_[i];
-      w_star[i] = f.w[i] - since_solve_ * f.viscous_az[i] + dt * az_[i];
+      u_star[i] = f.u[i] - clock_.since_solve * f.viscous_ax[i] + dt * ax_[i];
+      w_star[i] = f.w[i] - clock_.since_solve * f.viscous_az[i] + dt * az_[i];
       u_[i] = u_star[i] + interval * f.viscous_ax[i];
       w_[i] = w_star[i] + interval * f.viscous_az[i];
     }
@@ -70,7 +72,7 @@ class ImplicitViscosity final : public TimeIntegrator {
     }
     std::copy_n(u_.begin(), n, f.u.begin());
     std::copy_n(w_.begin(), n, f.w.begin());
-    since_solve_ = 0.0;
+    clock_.since_solve = 0.0;
     return true;
   }
 
@@ -86,8 +88,7 @@ class ImplicitViscosity final : public TimeIntegrator {
   }
 
   int steps_per_solve_;
-  int steps_;                 // since the last solve
-  double since_solve_ = 0.0;  // [s]
+  IntegrationClock clock_;
   std::vector<double> ax_, az_, u_, w_;
 };
 

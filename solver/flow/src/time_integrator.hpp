@@ -17,6 +17,9 @@ class TimeIntegrator {
   // Moves positions, velocities and densities by dt. Pressure, volumes and rows are those of the
   // state before the step.
   virtual std::optional<Failure> advance(Flow& flow, double dt) = 0;
+  // What it remembers from step to step.
+  virtual IntegrationClock clock() const { return {}; }
+  virtual void set_clock(const IntegrationClock& /*clock*/) {}
 };
 
 std::unique_ptr<TimeIntegrator> make_implicit_viscosity(int steps_per_solve);

@@ -46,8 +46,10 @@ WallCells::WallCells(const Solids& solids, const WallPoints& walls, double size)
   };
   const auto [x_min, x_max] = range(walls.x);
   const auto [z_min, z_max] = range(walls.z);
-  x0_ = *x_min - 2.0 * size;
-  z0_ = *z_min - 2.0 * size;
+  // Whole cells from the origin: what a barrier adds must not move the cells of the channel, whose
+  // points would then be visited, and summed, in another order.
+  x0_ = (std::floor(*x_min / size) - 2.0) * size;
+  z0_ = (std::floor(*z_min / size) - 2.0) * size;
   columns_ = std::floor((*x_max - x0_) / size) + 3.0;
   rows_ = std::floor((*z_max - z0_) / size) + 3.0;
   std::vector<Place> places;

@@ -63,40 +63,58 @@ Recorder::Recorder(const Scene& scene, const Flow& flow, const RunOptions& optio
 }
 
 void Recorder::sample(Flow& flow) {
-  const Fluid& f = flow.fluid();
-  const double time = flow.time();
-  double potential = 0.0, fastest = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-    potential -= f.mass[i] * dot(flow.setup().gravity, {f.x[i], f.z[i]});
-    fastest = std::max(fastest, f.u[i] * f.u[i] + f.w[i] * f.w[i]);
+  add_sample(channel_sample(g_, flow), flow.fluid());
+  if (options_.profile) moments_.push_back({flow.statistics().steps, readings()});
+}
+
+void Recorder::catch_up(const RecordedStart& start) {
+  const Fluid nothing_in_sight;
+  const std::vector<BarrierImpulse> no_load(g_.lines.size());
+  auto step = start.steps.begin();
+  for (const RecordedStart::Sample& sample : start.samples) {
+    for (; step != start.steps.end() && step->end <= sample.time; ++step) {
+      loads_.observe(no_load, step->length, step->end);
+    }
+    add_sample(sample, nothing_in_sight);
   }
-  const double energy = total_kinetic_energy(f);
-  peak_energy_ = std::max(peak_energy_, energy);
-  std::vector<double> row{time,
-                          energy,
+}
+
+// `f` may lack what no gauge can see.
+void Recorder::add_sample(const RecordedStart::Sample& sample, const Fluid& f) {
+  last_sample_ = sample;
+  peak_energy_ = std::max(peak_energy_, sample.kinetic_energy);
+  std::vector<double> row{sample.time,
+                          sample.kinetic_energy,
                           window_kinetic_energy(g_, f),
-                          potential,
-                          front_position(g_, f, flow.left_mass()),
+                          sample.potential_energy,
+                          sample.front_x,
                           flow_depth(g_, f),
-                          std::sqrt(fastest),
-                          flow.left_mass()};
+                          sample.max_speed,
+                          sample.left_mass};
   if (!g_.lines.empty()) {
     row.push_back(launch_.landed_share());
     row.push_back(dead_zone_length(g_, f));
   }
   const auto loads = loads_.read();
   for (std::size_t k = 0; k < g_.lines.size(); ++k) {
-    if (arrival_[k] < 0.0 && mass_share_at_line(g_, g_.lines[k], f) >= 0.005) arrival_[k] = time;
-    row.push_back(retention_efficiency(g_, g_.lines[k], f, flow.left_mass()));
+    if (arrival_[k] < 0.0 && mass_share_at_line(g_, g_.lines[k], f) >= 0.005) {
+      arrival_[k] = sample.time;
+    }
+    row.push_back(retention_efficiency(g_, g_.lines[k], f, sample.left_mass));
     row.push_back(run_up_height(g_, g_.lines[k], f));
     row.push_back(loads[k].force.x);
     row.push_back(loads[k].force.z);
     row.push_back(loads[k].moment);
   }
   series_.rows.push_back(std::move(row));
-  inside_ = std::max<std::int64_t>(inside_, flow.particles_inside_walls());
-  if (options_.settled.enabled && !options_.until_rest) watch_metrics(time);
-  if (options_.profile) moments_.push_back({flow.statistics().steps, readings()});
+  inside_ = std::max(inside_, sample.inside_walls);
+  if (options_.settled.enabled && !options_.until_rest) watch_metrics(sample.time);
+}
+
+bool Recorder::all_moving(const Flow& flow) const {
+  const SettledRule& rule = options_.settled;
+  return live_energy(g_, flow.fluid(), rule.retention_change) >
+         rule.kinetic_energy_share * peak_energy_;
 }
 
 void Recorder::count_at_rest(const Fluid& f) {

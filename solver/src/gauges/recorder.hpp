@@ -10,6 +10,7 @@
 #include "launch.hpp"
 #include "parapet/flow/flow.hpp"
 #include "parapet/solver/simulation.hpp"
+#include "recorded_start.hpp"
 #include "run_readings.hpp"
 
 namespace parapet::solver {
@@ -26,6 +27,15 @@ class Recorder {
     if (options_.profile) count_at_rest(flow.fluid());
   }
   void sample(Flow& flow);
+  // Takes over what was recorded of a start that another recorder of the same flow has seen, as if
+  // it had been sampled here.
+  // @pre unseen by this recorder's sight, and nothing recorded yet
+  void catch_up(const RecordedStart& start);
+  // Whether all that is in the flow has the energy to change metrics, so that no recorder may have
+  // ended the run yet: the beginning that designs share.
+  bool all_moving(const Flow& flow) const;
+  const GaugeScene& gauge() const { return g_; }
+  const RecordedStart::Sample& last_sample() const { return last_sample_; }
   // After a sample: why the run may end there; nothing when it has to go on.
   std::optional<StopReason> ended(const Flow& flow) const;
   std::vector<Metric> metrics() const;
@@ -47,6 +57,7 @@ class Recorder {
     RunReadings readings;
   };
 
+  void add_sample(const RecordedStart::Sample& sample, const Fluid& fluid);
   RunReadings readings() const;
   void count_at_rest(const Fluid& fluid);
   bool can_still_change(const Flow& flow) const;
@@ -63,6 +74,7 @@ class Recorder {
   LoadGauge loads_;
   Series series_;
   std::vector<double> arrival_;  // [n_barriers] s, negative until then
+  RecordedStart::Sample last_sample_{};
   std::int64_t inside_ = 0;
   double peak_energy_ = 0.0;
   std::optional<Quiet> quiet_;

@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "parapet/records/result_json.hpp"
@@ -48,13 +49,14 @@ records::Simulation from_result(const designs::CaseSpec& spec, int threads,
   return simulation;
 }
 
-records::Simulation simulate(const SimulationTask& task, const solver::Callbacks& callbacks) {
+records::Simulation simulate(const SimulationTask& task, const solver::Callbacks& callbacks,
+                             solver::StartStates& starts) {
   const designs::CaseSpec& spec = task.spec;
   solver::RunOptions run = spec.run;
   run.threads = worthwhile_threads(spec, task.threads);
   try {
     const double before = thread_seconds();
-    const solver::Result result = solver::simulate(spec.scene, spec.numerics, run, callbacks);
+    const solver::Result result = solver::simulate(spec.scene, spec.numerics, run, callbacks, &starts);
     const double seconds = thread_seconds() - before;
     records::Simulation simulation = from_result(spec, run.threads, result);
     // The other threads of a simulation work, or wait busily, as long as the calling one.
@@ -68,7 +70,10 @@ records::Simulation simulate(const SimulationTask& task, const solver::Callbacks
 }  // namespace
 
 Simulator solver_simulator() {
-  return simulate;
+  return [starts = std::make_shared<solver::StartStates>()](
+             const SimulationTask& task, const solver::Callbacks& callbacks) {
+    return simulate(task, callbacks, *starts);
+  };
 }
 
 records::Simulation impossible_scene(const std::string& why) {

@@ -139,7 +139,7 @@ class SweepRun {
       return !stopped();
     };
     const solver::Result result =
-        solver::simulate(row.spec.scene, row.spec.numerics, run, callbacks);
+        solver::simulate(row.spec.scene, row.spec.numerics, run, callbacks, &starts_);
     if (result.status == solver::Status::cancelled) {
       cancelled_ = true;
       return;
@@ -174,6 +174,7 @@ class SweepRun {
   std::filesystem::path rows_folder_;
   std::vector<const designs::SweepRow*> waiting_;
   RowResults finished_;
+  solver::StartStates starts_;
   std::mutex mutex_;  // guards finished_ and the files while workers run
   std::atomic<bool> cancelled_ = false;
 };

@@ -154,7 +154,7 @@ TEST(Profile, SaysWhatCameAfterTheLastChangeOfAMetric) {
   Scene scene;
   scene.reservoir_length = 0.2;
   scene.reservoir_height = 0.1;
-  scene.barriers = {{.foot_x = 0.4, .height = 0.12}};
+  scene.barriers = {{.foot_x = 0.4, .height = 0.12, .deflector = {}}};
   Numerics numerics;
   numerics.spacing = 0.02;
   RunOptions options;

@@ -33,6 +33,7 @@ struct Numerics {
   double lattice_jitter = 0.0;     ///< random offset of the initial lattice, as a share of dx
   unsigned lattice_seed = 1;       ///< seed of that offset
   Integrator integrator = Integrator::implicit_viscosity;
+  friend bool operator==(const Numerics&, const Numerics&) = default;
 };
 
 /// Everything wrong with the settings, one sentence each; empty when they are sound.

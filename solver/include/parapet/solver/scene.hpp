@@ -16,6 +16,7 @@ struct Material {
   double consistency = 4.526;      ///< K [Pa s^N]
   double flow_index = 0.795;       ///< N [-]
   double cutoff_shear_rate = 0.1;  ///< below it the viscosity stays constant [1/s]
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// How the fluid meets a wall.
@@ -25,6 +26,7 @@ enum class WallSlip { no_slip, free_slip };
 struct Deflector {
   double angle = 0.0;     ///< above the world's horizontal [rad]; positive lifts the tip
   double length = 0.065;  ///< L_d, along the plate's lower face from the crest [m]
+  friend bool operator==(const Deflector&, const Deflector&) = default;
 };
 
 /// One rigid barrier: a stem on the bed, with or without a deflector. The stem's upstream face
@@ -36,11 +38,13 @@ struct Barrier {
   double stem_lean = 0.0;    ///< from the world's vertical, positive upstream [rad]; minus the
                              ///< channel's slope makes the stem normal to the bed
   std::optional<Deflector> deflector;
+  friend bool operator==(const Barrier&, const Barrier&) = default;
 };
 
 /// A further solid body: vertices in counter-clockwise order [m], closed by the last edge.
 struct SolidPolygon {
   std::vector<Vec2> vertices;
+  friend bool operator==(const SolidPolygon&, const SolidPolygon&) = default;
 };
 
 /// A channel with a block of debris released behind a wall at x = 0.
@@ -57,6 +61,7 @@ struct Scene {
   Material material;
   std::vector<Barrier> barriers;     ///< from upstream to downstream
   std::vector<SolidPolygon> solids;  ///< anything else in the channel
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 /// Direction of a stem from foot to crest, in channel axes (unit vector).

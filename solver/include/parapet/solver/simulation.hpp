@@ -8,6 +8,7 @@
 #include "parapet/solver/numerics.hpp"
 #include "parapet/solver/result.hpp"
 #include "parapet/solver/scene.hpp"
+#include "parapet/solver/start_states.hpp"
 
 namespace parapet::solver {
 
@@ -65,8 +66,9 @@ struct Callbacks {
 /// side in one process.
 /// @throws std::invalid_argument when scene_errors, numerics_errors or run_errors is not empty.
 /// A run that goes wrong does not throw: the result says Status::failed with its reason.
+/// @param starts where designs share how their flows begin; the answer is the same without it
 Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& options,
-                const Callbacks& callbacks = {});
+                const Callbacks& callbacks = {}, StartStates* starts = nullptr);
 
 /// Everything wrong with the options, one sentence each.
 std::vector<std::string> run_errors(const RunOptions& options);

@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "parapet/flow/flow_state.hpp"
 #include "parapet/flow/fluid.hpp"
 #include "parapet/flow/geometry.hpp"
 #include "parapet/flow/neighbor_rows.hpp"
@@ -79,13 +80,6 @@ struct BarrierImpulse {
   double moment = 0.0;  ///< about the foot, positive when it overturns downstream [N s]
 };
 
-/// A particle that has left the domain.
-struct Departure {
-  std::int32_t id;  ///< of the particle at release
-  double mass;      ///< [kg/m]
-  double x;         ///< where it left [m]
-};
-
 /// A flow being computed. It can neither be copied nor moved: a copy is a new flow of the particles
 /// that the old one has now.
 class Flow {
@@ -101,11 +95,18 @@ class Flow {
   /// @return nothing when all went well; after a failure the flow is not to be used any more.
   std::optional<Failure> step(double longest);
 
-  double time() const { return time_; }                ///< [s]
-  double last_time_step() const { return dt_; }        ///< [s]; 0 before the first step
-  double sound_speed() const { return sound_speed_; }  ///< of the equation of state now [m/s]
+  /// The state between two steps, as a copy. Impulses that were not read are not part of it.
+  FlowState state() const;
+  /// Goes on from a state of another flow: from here on every bit is what it would be there, as
+  /// long as no particle comes near a solid that only one of the two has.
+  /// @pre same material, numerics, particles at release and gravity; the other solids the same
+  void resume(const FlowState& state);
+
+  double time() const { return now_.time; }                 ///< [s]
+  double last_time_step() const { return now_.time_step; }  ///< [s]; 0 before the first step
+  double sound_speed() const { return now_.sound_speed; }   ///< of the equation of state now [m/s]
   /// What the run cost so far and how the numerics behaved.
-  const RunStatistics& statistics() const { return statistics_; }
+  const RunStatistics& statistics() const { return now_.statistics; }
 
   /// The particles. Steps sort them anew and drop those that leave: `id` tells which is which.
   /// Pressure and volume are those of the last update_pressure, what belongs to gradients and
@@ -124,7 +125,7 @@ class Flow {
 
   /// All that have left, in the order in which they left.
   const std::vector<Departure>& departures() const { return departures_; }
-  double left_mass() const { return left_mass_; }          ///< of the departures [kg/m]
+  double left_mass() const { return now_.left_mass; }      ///< of the departures [kg/m]
   double released_mass() const { return released_mass_; }  ///< of all particles at release [kg/m]
   /// Reads and clears the impulses since the last call, one for each load cell.
   std::vector<BarrierImpulse> take_impulses();
@@ -195,10 +196,8 @@ class Flow {
   std::vector<BarrierImpulse> impulses_;
   std::vector<Departure> departures_;
   std::vector<double> x_before_, z_before_, u_before_, w_before_;
-  RunStatistics statistics_;
-  double sound_speed_, flow_speed_ = 0.0;  // [m/s]; of the fastest particle that is not spray
-  double time_ = 0.0, dt_ = 0.0, max_speed_ = 0.0, max_acceleration_ = 0.0;
-  double left_mass_ = 0.0, released_mass_ = 0.0;  // [kg/m]
+  FlowProgress now_;
+  double released_mass_ = 0.0;  // [kg/m]
 };
 
 }  // namespace parapet::solver

@@ -66,6 +66,11 @@ struct Fluid {
   /// Removes the particles of these ascending indices, keeping the order of the others.
   void remove(std::span<const std::int32_t> indices);
 
+  /// A copy for storing: without the records and without what only the step reads that has worked
+  /// it out. expand() makes it whole again.
+  Fluid compact() const;
+  void expand();  ///< @pre compact
+
   /// Brings the records of [begin, end) up to date with the arrays; the ghost's with end = n + 1.
   void pack(int begin, int end);
   // pack_motion, pack_state, pack_shift: one kind of record alone

@@ -28,6 +28,10 @@ class NeighborRows {
   void build(Fluid& fluid, int threads);
   /// The rows are outdated from now on.
   void invalidate() { valid_ = false; }
+  bool valid() const { return valid_; }  ///< they have been built since then
+  /// Where the particles stood at the last build, in their present order [n] [m].
+  const std::vector<double>& built_x() const { return built_x_; }
+  const std::vector<double>& built_z() const { return built_z_; }  ///< likewise
 
   RowView view() const;  ///< valid until the next build
   /// Indices in all rows, with those within the skin and the ghosts: what the rows take in memory.
