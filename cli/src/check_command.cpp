@@ -30,15 +30,16 @@ std::string memory_text(double bytes) {
 
 std::string cost_line(const study::CaseCost& cost) {
   return fmt::format(
-      "  each simulation at {:g} mm: {:.0f} particles, at most about {:.0f} time steps, {}, {}\n",
+      "  each simulation at {:g} mm: {:.0f} particles, about {:.0f} time steps, {}, {}\n",
       1000.0 * cost.spacing, cost.counts.particles, cost.counts.steps, core_time(cost.seconds),
       memory_text(cost.counts.memory));
 }
 
-constexpr const char* earlier_end = "  these are runs to the stop time; most settle earlier\n";
+constexpr const char* usual_end =
+    "  these are runs until no metric changes any more; slow debris may need up to the stop time\n";
 
 std::string cost_text(const designs::CaseSpec& spec) {
-  return cost_line(study::case_cost(spec)) + earlier_end;
+  return cost_line(study::case_cost(spec)) + usual_end;
 }
 
 std::string cost_text(const designs::StudySpec& study) {
@@ -51,7 +52,7 @@ std::string cost_text(const designs::StudySpec& study) {
   if (!cost.levels.empty()) {
     text += fmt::format(", {} for each job", memory_text(cost.levels.front().counts.memory));
   }
-  return text + "\n" + earlier_end;
+  return text + "\n" + usual_end;
 }
 
 std::string cost_text(const designs::SweepSpec& sweep) {
@@ -62,7 +63,7 @@ std::string cost_text(const designs::SweepSpec& sweep) {
     memory = std::max(memory, cost.counts.memory);
   }
   return fmt::format("  all rows: {}, {} for each job\n{}", core_time(seconds), memory_text(memory),
-                     earlier_end);
+                     usual_end);
 }
 
 /// What a sound document holds and what it will cost. @throws designs::InputError for one that is

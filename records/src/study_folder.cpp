@@ -48,6 +48,17 @@ Json read_state(const std::filesystem::path& folder) {
   return nullptr;
 }
 
+/// Whether the study would have this hash if the present version had begun it: keys that are new
+/// since then, and defaults that have changed, make no other study. Other physics is another matter.
+bool same_but_for_new_defaults(const std::string& file, const Json& state, const Json& wanted) {
+  try {
+    const Json stored = designs::without_former_defaults(state.at("spec"), wanted["spec"]);
+    return study_hash(designs::parse_study(stored, file)) == wanted["spec_hash"];
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 void refuse_other_study(const std::string& file, const Json& state, const Json& wanted) {
   const std::string allowed = "the folder of this study (" + wanted["spec_hash"].dump() +
                               ") or a new one; choose it with --out";
@@ -56,7 +67,7 @@ void refuse_other_study(const std::string& file, const Json& state, const Json& 
     throw InputError({{file, "/format", said.is_null() ? "" : said.dump(), problem, allowed}});
   }
   const Json hash = state.value("spec_hash", Json());
-  if (hash == wanted["spec_hash"]) return;
+  if (hash == wanted["spec_hash"] || same_but_for_new_defaults(file, state, wanted)) return;
   const std::string name = state.contains("name") ? " (" + state["name"].dump() + ")" : "";
   throw InputError(
       {{file, "/spec_hash", hash.dump(), "the folder belongs to another study" + name, allowed}});

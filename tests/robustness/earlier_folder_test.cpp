@@ -37,8 +37,14 @@ TEST_F(EarlierFolder, IsResumedWithTheSameLinesAndTheirSuccessors) {
   const std::string log = file_text(folder / "study/evaluations.jsonl");
   spec["method"]["max_evaluations"] = 8;
   folder.write("spec.json", spec.dump());
-  const Outcome outcome =
-      run_program(folder.path(), {"optimize", "spec.json", "--out", "study", "--jobs", "1"});
+  std::vector<std::string> call{"optimize", "spec.json", "--out", "study", "--jobs", "1"};
+  const Outcome refused = run_program(folder.path(), call);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_PRED_FORMAT2(IsSubstring, "study.json: /physics: [1]", refused.err)
+      << "the same study, although defaults have changed and keys are new since then";
+  EXPECT_EQ(file_text(folder / "study/evaluations.jsonl"), log);
+  call.emplace_back("--mix-revisions");
+  const Outcome outcome = run_program(folder.path(), call);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_PRED_FORMAT2(IsSubstring, "6 of its lines have no checksum", outcome.err);
   const std::string now = file_text(folder / "study/evaluations.jsonl");
@@ -54,6 +60,21 @@ void replace_in_state(const TemporaryFolder& folder, const char* key, const Json
   state[key] = value;
   folder.write("study/study.json", state.dump());
   std::filesystem::remove(folder / "study/checksums.sha256");
+}
+
+// A setting that the earlier version had, and that its user chose, still makes another study.
+TEST_F(EarlierFolder, WithAnotherSettingIsAnotherStudys) {
+  for (const char* change :
+       {R"({"numerics": {"cg_tolerance_m_s2": 0.04}})", R"({"numerics": {"sound_speed_floor": 1}})",
+        R"({"material": {"yield_stress_pa": 91}})"}) {
+    Json other = spec;
+    other["case"].merge_patch(Json::parse(change));
+    folder.write("other.json", other.dump());
+    const Outcome outcome =
+        run_program(folder.path(), {"optimize", "other.json", "--out", "study", "--mix-revisions"});
+    EXPECT_EQ(outcome.exit_code, 2) << change;
+    EXPECT_PRED_FORMAT2(IsSubstring, "belongs to another study", outcome.err) << change;
+  }
 }
 
 TEST_F(EarlierFolder, OfOtherPhysicsIsContinuedOnlyWhenThatIsAskedFor) {
@@ -102,7 +123,8 @@ TEST_F(EarlierFolder, IsFoundAgainUnderItsName) {
   // "tiny study of 0.1.0" with blanks: version 0.1.0 put no hash behind it.
   std::filesystem::rename(folder / "study", folder / "runs/tiny_study_of_0.1.0-optimize");
   folder.write("spec.json", spec.dump());
-  const Outcome outcome = run_program(folder.path(), {"optimize", "spec.json", "--jobs", "1"});
+  const Outcome outcome =
+      run_program(folder.path(), {"optimize", "spec.json", "--jobs", "1", "--mix-revisions"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_PRED_FORMAT2(IsSubstring, "resuming", outcome.err);
   EXPECT_PRED_FORMAT2(IsSubstring, "0 by this run", outcome.out);

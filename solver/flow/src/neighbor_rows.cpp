@@ -34,7 +34,10 @@ std::int32_t append(const std::array<std::vector<std::int32_t>, lanes>& rows, st
 bool blocked(const std::vector<Face>& faces, const std::vector<int>& near, Vec2 p, Vec2 q) {
   for (const int f : near) {
     const Face& face = faces[at(f)];
-    if (crossing(face, p, q) || crossing(face, q, p)) return true;
+    const bool p_outside = dot(p - face.a, face.normal) > 0.0;
+    const bool q_outside = dot(q - face.a, face.normal) > 0.0;
+    if (p_outside == q_outside) continue;  // most pairs
+    if (p_outside ? crossing(face, p, q) : crossing(face, q, p)) return true;
   }
   return false;
 }
@@ -49,6 +52,16 @@ NeighborRows::NeighborRows(const Solids& solids, const WallPoints& walls, double
       skin_(skin),
       periodic_length_(periodic_length),
       wall_cells_(solids, walls, reach + skin) {}
+
+// Of the faces near a place those that a pair within the rows' reach can have between it.
+void NeighborRows::find_faces_in_reach(Vec2 p, std::vector<int>& in_reach) const {
+  in_reach.clear();
+  const double reach = (1.0 + 1e-9) * (reach_ + skin_);
+  for (const int f : faces_near(p)) {
+    const Face& face = solids_.faces[at(f)];
+    if (distance_to_segment(face.a, face.b, p) < reach) in_reach.push_back(f);
+  }
+}
 
 void NeighborRows::add_fluid_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
                                        std::vector<std::int32_t>& out) const {
@@ -115,9 +128,9 @@ void NeighborRows::fill_block(const Fluid& fluid, int begin, int end, RowBuffer&
     for (auto& row : buffer.fluid) row.clear();
     for (auto& row : buffer.wall) row.clear();
     for (int i = first; i < std::min(end, first + lanes); ++i) {
-      const std::vector<int>& faces = faces_near({fluid.x[at(i)], fluid.z[at(i)]});
-      add_fluid_neighbors(fluid, i, faces, buffer.fluid[at(i - first)]);
-      add_wall_neighbors(fluid, i, faces, buffer.wall[at(i - first)]);
+      find_faces_in_reach({fluid.x[at(i)], fluid.z[at(i)]}, buffer.faces);
+      add_fluid_neighbors(fluid, i, buffer.faces, buffer.fluid[at(i - first)]);
+      add_wall_neighbors(fluid, i, buffer.faces, buffer.wall[at(i - first)]);
     }
     buffer.fluid_count.push_back(append(buffer.fluid, fluid.n, buffer.index));
     buffer.wall_count.push_back(append(buffer.wall, wall_ghost(), buffer.index));

@@ -221,6 +221,10 @@ double evaluate_expression(const StudySpec& study, const std::string& expression
 /// Stable 64-bit hash of a resolved JSON document as 16 hex digits (FNV-1a of its compact dump).
 std::string spec_hash(const Json& json);
 
+/// A study's spec that an earlier version has resolved, for comparison with the same study of now:
+/// defaults that are others today are left out where `now` does not ask for the former value.
+Json without_former_defaults(Json stored, const Json& now);
+
 /// A sweep: a list of cases that share a base (designs/table3.json).
 struct SweepRow {
   std::string id;

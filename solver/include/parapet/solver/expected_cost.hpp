@@ -7,14 +7,14 @@
 
 namespace parapet::solver {
 
-/// Counts that follow from the scene alone. The time steps are those of a run to its stop time: one
-/// that settles or drains ends earlier.
+/// Counts that follow from the scene alone.
 struct ExpectedCost {
   double particles = 0.0;      ///< at release
   double wall_points = 0.0;    ///< of all solids
   double neighbors = 0.0;      ///< slots of the neighbour rows, which are numbered with 32 bits
-  double samples = 0.0;        ///< rows of the time series
-  double steps = 0.0;          ///< time steps until the stop time
+  double samples = 0.0;        ///< rows of the time series, at most
+  double end_time = 0.0;       ///< when metrics are usually final [s]; at most the stop time
+  double steps = 0.0;          ///< time steps until then
   double memory = 0.0;         ///< [bytes] at the peak, of one simulation
   double series_memory = 0.0;  ///< [bytes] of it: the time series
 

@@ -64,6 +64,7 @@ class NeighborRows {
   struct RowBuffer {  // one block's rows before they are joined
     std::vector<std::int32_t> index, fluid_count, wall_count;  // counts by group, in indices
     std::array<std::vector<std::int32_t>, lanes> fluid, wall;  // of the present group's particles
+    std::vector<int> faces;                                    // scratch: near one particle
   };
 
   std::int32_t wall_ghost() const { return static_cast<std::int32_t>(walls_.size()); }
@@ -74,6 +75,7 @@ class NeighborRows {
   CellRange cells_of_column(std::int64_t ix, std::int64_t z_from, std::int64_t z_to,
                             int& hint) const;
   void sort(Fluid& fluid);
+  void find_faces_in_reach(Vec2 p, std::vector<int>& in_reach) const;
   void fill_block(const Fluid& fluid, int begin, int end, RowBuffer& buffer) const;
   void add_fluid_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
                            std::vector<std::int32_t>& out) const;
