@@ -40,7 +40,7 @@ Flow::Flow(FlowSetup setup)
       passes_(setup_.passes ? *setup_.passes : best_passes()),
       walls_(lay_out_walls(setup_.solids, setup_.numerics.spacing, 2.0 * smoothing_length())),
       rows_(setup_.solids, walls_, 2.0 * smoothing_length(),
-            setup_.numerics.skin_ratio * smoothing_length(), setup_.periodic_length),
+            setup_.numerics.skin_ratio * smoothing_length(), setup_.periodic_length, &passes_),
       viscous_(std::make_unique<ViscousSolve>()),
       integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
                       ? make_rk4_explicit()

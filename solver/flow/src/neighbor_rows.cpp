@@ -45,9 +45,10 @@ bool blocked(const std::vector<Face>& faces, const std::vector<int>& near, Vec2 
 }  // namespace
 
 NeighborRows::NeighborRows(const Solids& solids, const WallPoints& walls, double reach, double skin,
-                           double periodic_length)
+                           double periodic_length, const PassTable* passes)
     : solids_(solids),
       walls_(walls),
+      passes_(passes ? *passes : best_passes()),
       reach_(reach),
       skin_(skin),
       periodic_length_(periodic_length),
@@ -77,17 +78,12 @@ void NeighborRows::add_fluid_neighbors(const Fluid& fluid, int i, const std::vec
   };
   for (const auto& [from, to] : cells_[at(cell_of_[at(i)])].near) {
     if (from == to) continue;
-    // Every candidate is written and the next one over it unless it was near: a branch would be
-    // guessed wrong too often.
-    std::size_t count = out.size();
-    const std::size_t first = count;
-    out.resize(count + at(to - from));
-    for (int j = from; j < to; ++j) {
-      const Vec2 r = offset(j);
-      out[count] = j;
-      count += static_cast<std::size_t>((r.x * r.x + r.z * r.z < limit) & (j != i));
-    }
-    out.resize(count);
+    const std::size_t first = out.size();
+    out.resize(first + at(to - from) + lanes);
+    const int count = passes_.pick_near(
+        {fluid.x.data(), fluid.z.data(), from, to, i, p.x, p.z, limit, periodic_length_},
+        out.data() + first);
+    out.resize(first + at(count));
     if (!bodies_near) continue;
     const auto hidden = [&](std::int32_t j) {
       return blocked(solids_.faces, faces, p, p - offset(j));

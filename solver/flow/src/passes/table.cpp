@@ -9,6 +9,7 @@ namespace parapet::solver::PARAPET_ISA {
 
 extern const PassTable table;
 const PassTable table = {PARAPET_STRING(PARAPET_ISA),
+                         pick_near,
                          reached_rows,
                          extrapolate_walls,
                          gradient_sums,

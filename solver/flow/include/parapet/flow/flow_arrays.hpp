@@ -128,6 +128,16 @@ struct DescentSums {
   double worst;    ///< largest squared acceleration [m2/s4]
 };
 
+/// Particles [begin, end) that may be near a place.
+struct NearCandidates {
+  const double *x, *z;  ///< of all particles [m]
+  int begin, end;       ///< the candidates
+  int self;             ///< never picked
+  double at_x, at_z;    ///< the place [m]
+  double distance2;     ///< squared, below which a candidate is near [m2]
+  double period;        ///< of the domain along x [m]; 0 when not periodic
+};
+
 /// Rows of the pairs within the support alone, for as long as no particle moves: the same shape as
 /// RowView's, of [n_groups] and at most [lanes n_slots].
 struct ReachedRows {

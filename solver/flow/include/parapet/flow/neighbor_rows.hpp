@@ -7,6 +7,7 @@
 
 #include "parapet/flow/fluid.hpp"
 #include "parapet/flow/geometry.hpp"
+#include "parapet/flow/pass_table.hpp"
 #include "parapet/flow/wall_cells.hpp"
 #include "parapet/flow/wall_layout.hpp"
 
@@ -19,8 +20,9 @@ class NeighborRows {
   /// @param reach kernel support 2h [m]
   /// @param skin extra reach of the rows [m]
   /// @param periodic_length along x from 0 [m]; 0 when not periodic
+  /// @param passes the instruction set; nullptr: the fastest
   NeighborRows(const Solids& solids, const WallPoints& walls, double reach, double skin,
-               double periodic_length);
+               double periodic_length, const PassTable* passes = nullptr);
 
   /// True when a pair outside the rows may have come within the reach.
   bool outdated(const Fluid& fluid) const;
@@ -86,6 +88,7 @@ class NeighborRows {
 
   const Solids& solids_;
   const WallPoints& walls_;
+  const PassTable& passes_;
   double reach_, skin_, periodic_length_;
   bool valid_ = false;
 

@@ -16,6 +16,9 @@ namespace parapet::solver {
 /// The passes of one instruction set.
 struct PassTable {
   const char* name;  ///< of the instruction set
+  /// Writes the numbers of those candidates that are nearer than the distance, in their order, and
+  /// says how many; `out` has room for a whole vector more than there are candidates.
+  int (*pick_near)(const NearCandidates&, std::int32_t* out);
   /// The rows without the pairs that the skin holds but the kernel does not reach; the rows of a
   /// range start at its first group's old place.
   void (*reached_rows)(const FlowArrays&, const ReachedRows&, int begin, int end);
