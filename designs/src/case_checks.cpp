@@ -79,11 +79,8 @@ void check_resolution(const CaseSpec& spec, Findings& findings) {
 }
 
 void check_sound_speed(const CaseSpec& spec, Findings& findings) {
-  const solver::Scene& scene = spec.scene;
-  const double gauge = scene.barriers.empty() ? scene.monitor_x : scene.barriers.front().foot_x;
-  const double drop =
-      gauge * std::sin(scene.slope) + scene.reservoir_height * std::cos(scene.slope);
-  const double fall_speed = std::sqrt(2.0 * scene.gravity * drop);
+  const double drop = solver::drop_to_gauge(spec.scene);
+  const double fall_speed = std::sqrt(2.0 * spec.scene.gravity * drop);
   if (spec.numerics.sound_speed >= lowest_speed_ratio * fall_speed) return;
   findings.add(
       "/numerics/sound_speed_m_s",

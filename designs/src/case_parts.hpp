@@ -39,7 +39,7 @@ Json resolve_case(SchemaNode schema, const Json& json);
 
 /// Scene, numerics and options of a resolved case.
 solver::Scene read_scene(const Json& resolved);
-solver::Numerics read_numerics(const Json& resolved);
+solver::Numerics read_numerics(const Json& resolved, const solver::Scene& scene);
 solver::RunOptions read_run(const Json& resolved);
 
 /// Keys that exclude or need each other; looks at what was written, before defaults.

@@ -87,12 +87,13 @@ solver::Scene read_scene(const Json& resolved) {
   return scene;
 }
 
-solver::Numerics read_numerics(const Json& resolved) {
+solver::Numerics read_numerics(const Json& resolved, const solver::Scene& scene) {
   const Json& json = resolved.at("numerics");
   solver::Numerics numerics;
   numerics.spacing = number(json, "spacing_m");
   numerics.smoothing_ratio = number(json, "smoothing_ratio");
   numerics.sound_speed = number(json, "sound_speed_m_s");
+  if (numerics.sound_speed == 0.0) numerics.sound_speed = solver::usual_sound_speed(scene);
   numerics.sound_speed_floor = number(json, "sound_speed_floor");
   numerics.density_diffusion = number(json, "density_diffusion");
   numerics.shifting_factor = number(json, "shifting_factor");

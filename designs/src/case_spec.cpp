@@ -64,7 +64,7 @@ CaseAttempt try_case(SchemaNode schema, const Json& json, const std::string& fil
   spec.name = spec.resolved.at("name").get<std::string>();
   spec.description = spec.resolved.at("description").get<std::string>();
   spec.scene = read_scene(spec.resolved);
-  spec.numerics = read_numerics(spec.resolved);
+  spec.numerics = read_numerics(spec.resolved, spec.scene);
   spec.run = read_run(spec.resolved);
   Findings findings(file, spec.resolved, prefix);
   check_case_meaning(spec, findings);

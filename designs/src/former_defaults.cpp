@@ -13,8 +13,12 @@ struct FormerDefault {
 };
 
 constexpr std::array former_defaults{
-    FormerDefault{"/numerics/cg_tolerance_m_s2", 0.05},   // physics 1
-    FormerDefault{"/run/settled/earliest_time_s", 1.5}};  // physics 1
+    // physics 1
+    FormerDefault{"/numerics/cg_tolerance_m_s2", 0.05},
+    FormerDefault{"/numerics/skin_ratio", 0.45},
+    FormerDefault{"/numerics/sound_speed_m_s", 35.0},
+    FormerDefault{"/run/settled/earliest_time_s", 1.5},
+};
 
 }  // namespace
 

@@ -30,10 +30,7 @@ double wall_length(const Scene& scene) {
 // Most of a run is slower than the fall to the gauge, and the speed only adds to the sound's.
 double usual_speed(const Scene& scene) {
   constexpr double share_of_fall = 0.25;
-  const double gauge = scene.barriers.empty() ? scene.monitor_x : scene.barriers.front().foot_x;
-  const double drop =
-      gauge * std::sin(scene.slope) + scene.reservoir_height * std::cos(scene.slope);
-  return share_of_fall * std::sqrt(2.0 * scene.gravity * std::max(0.0, drop));
+  return share_of_fall * std::sqrt(2.0 * scene.gravity * drop_to_gauge(scene));
 }
 
 // When the metrics are final, as far as the scene tells: twice the time of a slide without friction

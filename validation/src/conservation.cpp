@@ -92,7 +92,7 @@ constexpr std::array<double, 8> skins{0.30, 0.34, 0.38, 0.42,
 
 // Table 1 debris let go in a tank that slopes by 26 deg, with a block that it runs up and over. All
 // lengths are whole spacings, so that wall points lie the same whichever end they start from.
-FlowSetup tank_with_block(double skin_ratio = 0.45) {
+FlowSetup tank_with_block(double skin_ratio = 0.7) {
   FlowSetup setup;
   setup.numerics.skin_ratio = skin_ratio;
   setup.numerics.spacing = dx;

@@ -33,6 +33,17 @@ std::vector<Vec2> barrier_outline(const Scene& scene, const Barrier& barrier) {
   return {foot, crest, tip, tip + t * upper, joint, back_foot};
 }
 
+double drop_to_gauge(const Scene& scene) {
+  const double gauge = scene.barriers.empty() ? scene.monitor_x : scene.barriers.front().foot_x;
+  const double slide = std::max(0.0, gauge * std::sin(scene.slope));
+  return slide + scene.reservoir_height * std::cos(scene.slope);
+}
+
+double usual_sound_speed(const Scene& scene) {
+  constexpr double times_flow = 10.0, of_free_fall = 0.971;
+  return times_flow * of_free_fall * std::sqrt(2.0 * scene.gravity * drop_to_gauge(scene));
+}
+
 Face make_face(Vec2 a, Vec2 b, int body, int barrier) {
   Face face;
   face.a = a;

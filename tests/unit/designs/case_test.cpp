@@ -57,7 +57,8 @@ TEST(CaseDefaults, AreTheNumericsDefaults) {
   const solver::Numerics numerics = case_with("{}").numerics, expected;
   EXPECT_EQ(numerics.spacing, expected.spacing);
   EXPECT_EQ(numerics.smoothing_ratio, expected.smoothing_ratio);
-  EXPECT_EQ(numerics.sound_speed, expected.sound_speed);
+  EXPECT_EQ(numerics.sound_speed, solver::usual_sound_speed(solver::Scene{}));
+  EXPECT_NEAR(numerics.sound_speed, expected.sound_speed, 0.01);
   EXPECT_EQ(numerics.sound_speed_floor, expected.sound_speed_floor);
   EXPECT_EQ(numerics.density_diffusion, expected.density_diffusion);
   EXPECT_EQ(numerics.shifting_factor, expected.shifting_factor);
@@ -86,6 +87,24 @@ TEST(CaseDefaults, AreTheRunDefaults) {
   EXPECT_EQ(run.settled.retention_change, expected.settled.retention_change);
   EXPECT_EQ(run.settled.kinetic_energy_share, expected.settled.kinetic_energy_share);
   EXPECT_EQ(run.settled.earliest_time, expected.settled.earliest_time);
+}
+
+// A copy of a channel at another scale, lengths x s and speeds x sqrt(s), has the sound speed x
+// sqrt(s); it counts to the first barrier, else to the gauge, and a slope that rises adds nothing.
+TEST(CaseDefaults, TheSoundSpeedFollowsFromTheCase) {
+  const double flume = case_with("{}").numerics.sound_speed;
+  EXPECT_NEAR(case_with(R"({"channel": {"length_m": 60, "height_m": 30, "monitor_x_m": 22},
+                            "reservoir": {"length_m": 6, "height_m": 4},
+                            "numerics": {"spacing_m": 0.1}})")
+                  .numerics.sound_speed,
+              std::sqrt(20.0) * flume, 1e-9);
+  const auto with_foot = [](const char* foot) {
+    return case_with(std::string(R"({"barriers": [{"foot_x_m": )") + foot + "}]}").numerics;
+  };
+  EXPECT_EQ(with_foot("1.1").sound_speed, flume);
+  EXPECT_GT(with_foot("1.5").sound_speed, flume);
+  const double level = case_with(R"({"channel": {"slope_deg": 0}})").numerics.sound_speed;
+  EXPECT_NEAR(level, 9.71 * std::sqrt(2.0 * 9.81 * 0.2), 1e-9);
 }
 
 // Every value that is given arrives in its field, in SI units.

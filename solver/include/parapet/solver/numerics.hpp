@@ -16,13 +16,14 @@ enum class Integrator {
 struct Numerics {
   double spacing = 0.005;         ///< initial particle distance dx [m]
   double smoothing_ratio = 1.33;  ///< h/dx; the Wendland C2 support is 2h
-  double sound_speed = 35.0;      ///< c_s [m/s], at least 10 x the largest speed
+  /// c_s [m/s], at least 10 x the largest speed; usual_sound_speed(scene) knows one for a channel.
+  double sound_speed = 35.0;
   /// In a channel c_s follows the flow: 10 x the fastest particle that is not spray, at least this
   /// share of sound_speed and at most all of it. 1 keeps it constant, as rk4_explicit always does.
   double sound_speed_floor = 4.0 / 7.0;
   double density_diffusion = 0.1;  ///< delta of the density diffusion term, Eq. 6-7
   double shifting_factor = 1.0;    ///< scales the shifting velocity of Eq. 9; 0 switches it off
-  double skin_ratio = 0.45;        ///< neighbour rows reach (2 + skin_ratio) h
+  double skin_ratio = 0.7;         ///< neighbour rows reach (2 + skin_ratio) h
   double cfl_acoustic = 0.0;       ///< dt <= cfl h / (c_s + u_max); 0 takes the integrator's own
   double cfl_force = 0.25;         ///< dt <= cfl sqrt(h / |a|max)
   double cfl_viscous = 0.125;      ///< dt <= cfl h^2 rho / eta_max (explicit viscosity only)

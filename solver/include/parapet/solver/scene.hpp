@@ -74,6 +74,14 @@ Vec2 deflector_direction(const Scene& scene, const Deflector& deflector);
 /// face, joint), downstream edge of the crest when bare, downstream foot. Clockwise in (x, z).
 std::vector<Vec2> barrier_outline(const Scene& scene, const Barrier& barrier);
 
+/// Drop from the top of the block to the bed at the first barrier, or at the gauge of an open
+/// channel [m]: what its fastest debris can have fallen.
+double drop_to_gauge(const Scene& scene);
+
+/// Ten times the speed that debris reaches by then [m/s], as the upper limit of the sound speed:
+/// 9.71 sqrt(2 g drop), friction leaving 0.971 of a free fall's speed; 35.0 for the default scene.
+double usual_sound_speed(const Scene& scene);
+
 /// Everything that makes the scene impossible to simulate, one sentence each, naming the field,
 /// its value and what is allowed; empty when the scene is sound.
 std::vector<std::string> scene_errors(const Scene& scene);
