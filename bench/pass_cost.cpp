@@ -40,12 +40,12 @@ constexpr std::array<PassCost, 9> table{{
     // u, w, eta, V. wall: mirrored velocity 4 more, no mean; u, w, fluid's u, w, V
     {"viscous_force", geometry + 16, geometry + 18, geometry_bytes + 4 * value,
      geometry_bytes + 5 * value, 4, 11 * value},
-    // fluid: mean 2, times strength 1, F V 1, product 1, guard 1, division 1, root 1, b 2, sums 6;
-    // eta, V; writes b. wall: weight 4, mirror 4, lagged 6, its sums 4, sums 8; u, w, fluid's, V
-    {"viscous_matrix", geometry + 16, geometry + 26, geometry_bytes + 4 * value,
-     geometry_bytes + 5 * value, 4 + 2 * value, 15 * value},
-    // fluid alone: differences 2, dot product 3, two sums 4; index, b, v
-    {"viscous_product", 9, 0, 4 + 4 * value, 0, 4 + 2 * value, 7 * value},
+    // fluid: mean 2, V V 1, product 1, guard 1, division 1, products 2, sums 8; eta, V; writes s.
+    // wall: weight 5, mirror 4, lagged 6, its sums 4, sums 8; u, w, fluid's, V
+    {"viscous_matrix", geometry + 16, geometry + 27, geometry_bytes + 2 * value + 4,
+     geometry_bytes + 5 * value, 4 + 4, 15 * value},
+    // fluid alone: r 2, differences 2, dot product 3, times s 1, two sums 4; index, s, x, z, v
+    {"viscous_product", 12, 0, 4 + 4 + 4 * value, 0, 4 + 4, 9 * value},
     // wall alone: W 6, rho W 1, sums of W 1, p 2, head 4, velocity 4; rho, p, u, w
     {"extrapolate_walls", 0, geometry + kernel_w + 12, 0, geometry_bytes + 4 * value, 4, 6 * value},
     // wall alone: F V V 2, pressure 2, approach 5, viscous part 6, sums 4; V, p, u, w, eta

@@ -99,7 +99,8 @@ TEST(CaseDefaults, TheSoundSpeedFollowsFromTheCase) {
                   .numerics.sound_speed,
               std::sqrt(20.0) * flume, 1e-9);
   const auto with_foot = [](const char* foot) {
-    return case_with(std::string(R"({"barriers": [{"foot_x_m": )") + foot + "}]}").numerics;
+    return case_with((std::string(R"({"barriers": [{"foot_x_m": )") + foot + "}]}").c_str())
+        .numerics;
   };
   EXPECT_EQ(with_foot("1.1").sound_speed, flume);
   EXPECT_GT(with_foot("1.5").sound_speed, flume);

@@ -11,21 +11,33 @@ namespace {
 template <class Kept>
 PARAPET_INLINE std::int32_t* pick(const std::int32_t* from, const std::int32_t* to,
                                   std::int32_t ghost, std::int32_t* out, const Kept& kept) {
-  constexpr v8m step = {lanes, lanes, lanes, lanes, lanes, lanes, lanes, lanes};
-  v8m next = {0, 1, 2, 3, 4, 5, 6, 7};
-  std::int64_t place[lanes];
+  std::int64_t next[lanes] = {0, 1, 2, 3, 4, 5, 6, 7};  // where each lane goes on
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+  __m256i places = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   for (const std::int32_t* index = from; index != to; index += lanes) {
+    const __mmask8 keep = _mm512_movepi64_mask((__m512i)kept(index));
+    const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+    _mm256_mask_i32scatter_epi32(out, keep, places, all, sizeof *out);
+    places = _mm256_mask_add_epi32(places, keep, places, _mm256_set1_epi32(lanes));
+  }
+  std::int32_t last[lanes];
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(last), places);
+  for (int l = 0; l < lanes; ++l) next[l] = last[l];
+#else
+  for (const std::int32_t* index = from; index != to; index += lanes) {
+    const v8m keep = kept(index);
     // Every index is written and the next one over it unless it was kept: a branch would be guessed
     // wrong too often.
-    __builtin_memcpy(place, &next, sizeof next);
-    for (int l = 0; l < lanes; ++l) out[place[l]] = index[l];
-    next += kept(index) & step;
+    for (int l = 0; l < lanes; ++l) {
+      out[next[l]] = index[l];
+      next[l] += keep[l] & lanes;
+    }
   }
-  __builtin_memcpy(place, &next, sizeof next);
+#endif
   std::int64_t end = 0;
-  for (int l = 0; l < lanes; ++l) end = place[l] - l > end ? place[l] - l : end;
+  for (int l = 0; l < lanes; ++l) end = next[l] - l > end ? next[l] - l : end;
   for (int l = 0; l < lanes; ++l) {
-    for (; place[l] < end; place[l] += lanes) out[place[l]] = ghost;
+    for (; next[l] < end; next[l] += lanes) out[next[l]] = ghost;
   }
   return out + end;
 }
