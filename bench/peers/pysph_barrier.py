@@ -40,6 +40,7 @@ SMOOTHING_RATIO = 1.33
 DELTA = 0.1
 VISCOUS_STEP = 0.09
 WALL_LAYERS = 3  # the kernel reaches 2.66 spacings
+FRONT_SHARE = 0.005  # of the released mass is at the front or ahead of it
 READ_EVERY = 10  # steps between two readings of force and positions
 
 
@@ -267,7 +268,7 @@ class BarrierFlow(Application):
         self.end = self.case["run"]["stop_time_s"]
         self.readings = []  # time, force along the bed, share of the mass downstream, tip
         self.left = 0
-        self.tip = None
+        self.tip = self.front = None
         self.began = time.time()
 
     def create_particles(self):
@@ -338,11 +339,14 @@ class BarrierFlow(Application):
         self.readings.append((solver.t, float(barrier.force_x.sum()), passed, float(x.max())))
         if self.tip is None and solver.t >= self.options.tip_time:
             self.tip = float(x.max())
+            ahead = math.ceil(FRONT_SHARE*self.released - 1e-9) - self.left
+            self.front = float(np.sort(x)[-ahead]) if ahead > 0 else channel["length_m"]
 
     def write_result(self, steps):
         usage = resource.getrusage(resource.RUSAGE_SELF)
         result = {
             "end_s": self.readings[-1][0], "retention": 1.0 - self.readings[-1][2], "tip_m": self.tip,
+            "front_m": self.front,
             "force": [[round(t, 6), round(force, 3)] for t, force, _, _ in self.readings],
             "retention_series": [[round(t, 4), 1.0 - p] for t, _, p, _ in self.readings[::100]],
             "particles": self.released, "left": self.left, "steps": steps, "time_step_s": self.dt,
