@@ -6,17 +6,16 @@
 CASE is a case of Parapet with its defaults filled in (the entry "case" of a result of Parapet). The script
 computes the same equations with the parts that PySPH ships, and writes what bench/peers/run compares.
 
-From PySPH: the boundary condition of Adami, Hu and Adams (2012) for velocity and pressure, continuity and
-pressure gradient in the form of the same paper, its Verlet scheme in the cheaper of its two modes (one
-evaluation of the equations a step), the diffusion of density of delta-SPH, and the kernel Wendland C2.
-Ours, because PySPH has no Herschel-Bulkley fluid: corrected gradients, apparent viscosity, the viscous term
-div(2 eta S) between particles whose viscosities differ, and the force on the barrier.
+From PySPH: the boundary condition of Adami, Hu and Adams (2012) for velocity and pressure (no tension at
+walls), continuity and pressure gradient in the form of the same paper, a kick-drift-kick integrator with one
+evaluation of the forces a step, the diffusion of density of delta-SPH, the kernel Wendland C2, and the form of
+the viscous term. Ours, because PySPH has no Herschel-Bulkley fluid: corrected gradients, apparent viscosity,
+the viscous term with it, and the force on the barrier. Numbers of equations are those of Adami et al.
 
-Settings: h = 1.33 spacings and the kernel as in Parapet; sound speed as in the case (10 times the largest
-speed expected); delta = 0.1. The step is the smallest of 0.25 h / (c + c/10), 0.25 sqrt(h/g) and
-0.09 h^2 rho / eta_max. The stability limit of the last one on a square lattice, for this kernel, this
-viscous term and a forward step of the velocity, is 0.114; it rules, because some material is always below
-its yield stress. Numbers of equations are those of Adami et al.
+Settings: h = 1.33 spacings, as in Parapet; sound speed as in the case (10 times the largest speed
+expected); delta = 0.1. The step is the smallest of 0.25 h/(1.1 c), 0.25 sqrt(h/g) and 0.125 h^2 rho/eta_max,
+the rules of PySPH's schemes; the last one rules, because some material is always below its yield stress. For
+this kernel on a square lattice its limit is 0.316. With --central the limit is 0.114, and 0.09 is used.
 """
 import json
 import math
@@ -28,20 +27,38 @@ from pysph.base.kernels import WendlandQuintic
 from pysph.base.utils import get_particle_array
 from pysph.solver.application import Application
 from pysph.solver.solver import Solver
-from pysph.sph.equation import Equation, Group
-from pysph.sph.integrator import PECIntegrator
-from pysph.sph.integrator_step import AdamiVerletStep
+from pysph.sph.equation import Equation, Group, MultiStageEquations
+from pysph.sph.integrator_step import IntegratorStep
 from pysph.sph.wc.basic import ContinuityEquationDeltaSPH
+from pysph.sph.wc.edac import ClampWallPressure
+from pysph.sph.wc.gtvf import GTVFIntegrator
 from pysph.sph.wc.transport_velocity import (
     ContinuityEquation, ContinuitySolid, MomentumEquationPressureGradient, SetWallVelocity,
     SolidWallPressureBC, StateEquation, VolumeFromMassDensity)
 
 SMOOTHING_RATIO = 1.33
 DELTA = 0.1
-VISCOUS_STEP = 0.09
+VISCOUS_STEP = {False: 0.125, True: 0.09}  # of h^2 rho/eta_max, by the form of the viscous term
 WALL_LAYERS = 3  # the kernel reaches 2.66 spacings
 FRONT_SHARE = 0.005  # of the released mass is at the front or ahead of it
 READ_EVERY = 10  # steps between two readings of force and positions
+
+
+class KickDriftKick(IntegratorStep):
+    """Eqs. 14 to 18: half a kick; density and positions with that velocity; half a kick with the new forces."""
+
+    def stage1(self, d_idx, d_u, d_v, d_au, d_av, dt):
+        d_u[d_idx] += 0.5*dt*d_au[d_idx]
+        d_v[d_idx] += 0.5*dt*d_av[d_idx]
+
+    def stage2(self, d_idx, d_x, d_y, d_u, d_v, d_rho, d_arho, dt):
+        d_rho[d_idx] += dt*d_arho[d_idx]
+        d_x[d_idx] += dt*d_u[d_idx]
+        d_y[d_idx] += dt*d_v[d_idx]
+
+    def stage3(self, d_idx, d_u, d_v, d_au, d_av, dt):
+        d_u[d_idx] += 0.5*dt*d_au[d_idx]
+        d_v[d_idx] += 0.5*dt*d_av[d_idx]
 
 
 class FluidGradients(Equation):
@@ -141,47 +158,87 @@ class HerschelBulkley(Equation):
 
 
 class FluidViscosity(Equation):
-    """div(2 eta S) with 2(d+2) = 8 along the line of centres; harmonic mean of the viscosities."""
+    """Viscous term between particles of different viscosity, with the harmonic mean of the two.
 
-    def loop(self, d_idx, s_idx, d_eta, s_eta, d_rho, s_m, s_rho, d_au, d_av, VIJ, XIJ, DWIJ, R2IJ, EPS):
-        eta = 2.0*d_eta[d_idx]*s_eta[s_idx]/(d_eta[d_idx] + s_eta[s_idx])
-        factor = 8.0*eta*s_m[s_idx]/(s_rho[s_idx]*d_rho[d_idx])
-        factor *= (VIJ[0]*XIJ[0] + VIJ[1]*XIJ[1])/(R2IJ + EPS)
-        d_au[d_idx] += factor*DWIJ[0]
-        d_av[d_idx] += factor*DWIJ[1]
+    PySPH's own form (MomentumEquationViscosity), or the one of Huang et al. along the line of centres with
+    2(d+2) = 8, which conserves angular momentum.
+    """
+
+    def __init__(self, dest, sources, central):
+        self.central = central
+        super(FluidViscosity, self).__init__(dest, sources)
+
+    def loop(self, d_idx, s_idx, d_eta, s_eta, d_m, d_V, s_V, d_au, d_av, VIJ, XIJ, DWIJ, R2IJ, EPS):
+        Vi, Vj, eta, factor = declare('double', 4)
+        Vi = 1.0/d_V[d_idx]
+        Vj = 1.0/s_V[s_idx]
+        eta = 2.0*d_eta[d_idx]*s_eta[s_idx]/(d_eta[d_idx] + s_eta[s_idx])/(R2IJ + EPS)/d_m[d_idx]
+        if self.central:
+            factor = 8.0*eta*Vi*Vj*(VIJ[0]*XIJ[0] + VIJ[1]*XIJ[1])
+            d_au[d_idx] += factor*DWIJ[0]
+            d_av[d_idx] += factor*DWIJ[1]
+        else:
+            factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
+            d_au[d_idx] += factor*VIJ[0]
+            d_av[d_idx] += factor*VIJ[1]
 
 
 class WallViscosity(Equation):
     """The same at a wall, which takes the viscosity of the particle and the velocity of Eq. 23."""
 
-    def loop(self, d_idx, s_idx, d_eta, d_u, d_v, s_ug, s_vg, d_rho, s_m, s_rho, d_au, d_av,
+    def __init__(self, dest, sources, central):
+        self.central = central
+        super(WallViscosity, self).__init__(dest, sources)
+
+    def loop(self, d_idx, s_idx, d_eta, d_u, d_v, s_ug, s_vg, d_m, d_V, s_V, d_au, d_av,
              XIJ, DWIJ, R2IJ, EPS):
+        Vi, Vj, eta, factor, u, v = declare('double', 6)
+        Vi = 1.0/d_V[d_idx]
+        Vj = 1.0/s_V[s_idx]
         u = d_u[d_idx] - s_ug[s_idx]
         v = d_v[d_idx] - s_vg[s_idx]
-        factor = 8.0*d_eta[d_idx]*s_m[s_idx]/(s_rho[s_idx]*d_rho[d_idx])
-        factor *= (u*XIJ[0] + v*XIJ[1])/(R2IJ + EPS)
-        d_au[d_idx] += factor*DWIJ[0]
-        d_av[d_idx] += factor*DWIJ[1]
+        eta = d_eta[d_idx]/(R2IJ + EPS)/d_m[d_idx]
+        if self.central:
+            factor = 8.0*eta*Vi*Vj*(u*XIJ[0] + v*XIJ[1])
+            d_au[d_idx] += factor*DWIJ[0]
+            d_av[d_idx] += factor*DWIJ[1]
+        else:
+            factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
+            d_au[d_idx] += factor*u
+            d_av[d_idx] += factor*v
 
 
 class BarrierForce(Equation):
-    """Force of the fluid on each particle of the barrier: what the two terms above take, reversed."""
+    """Force of the fluid on each particle of the barrier: what pressure and viscosity take there, reversed."""
+
+    def __init__(self, dest, sources, central):
+        self.central = central
+        super(BarrierForce, self).__init__(dest, sources)
 
     def initialize(self, d_idx, d_force_x, d_force_z):
         d_force_x[d_idx] = 0.0
         d_force_z[d_idx] = 0.0
 
-    def loop(self, d_idx, s_idx, d_ug, d_vg, s_u, s_v, s_eta, d_m, d_rho, s_m, s_rho, d_p, s_p,
+    def loop(self, d_idx, s_idx, d_ug, d_vg, s_u, s_v, s_eta, d_V, s_V, d_rho, s_rho, d_p, s_p,
              d_force_x, d_force_z, XIJ, DWIJ, R2IJ, EPS):
-        Vi = d_m[d_idx]/d_rho[d_idx]
-        Vj = s_m[s_idx]/s_rho[s_idx]
+        Vi, Vj, eta, factor, pressure, u, v = declare('double', 7)
+        Vi = 1.0/d_V[d_idx]
+        Vj = 1.0/s_V[s_idx]
         pressure = (s_rho[s_idx]*d_p[d_idx] + d_rho[d_idx]*s_p[s_idx])/(s_rho[s_idx] + d_rho[d_idx])
+        pressure *= Vi*Vi + Vj*Vj
+        d_force_x[d_idx] -= pressure*DWIJ[0]
+        d_force_z[d_idx] -= pressure*DWIJ[1]
         u = d_ug[d_idx] - s_u[s_idx]
         v = d_vg[d_idx] - s_v[s_idx]
-        factor = 8.0*s_eta[s_idx]*Vi*Vj*(u*XIJ[0] + v*XIJ[1])/(R2IJ + EPS)
-        factor -= pressure*(Vi*Vi + Vj*Vj)
-        d_force_x[d_idx] += factor*DWIJ[0]
-        d_force_z[d_idx] += factor*DWIJ[1]
+        eta = s_eta[s_idx]/(R2IJ + EPS)
+        if self.central:
+            factor = 8.0*eta*Vi*Vj*(u*XIJ[0] + v*XIJ[1])
+            d_force_x[d_idx] += factor*DWIJ[0]
+            d_force_z[d_idx] += factor*DWIJ[1]
+        else:
+            factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
+            d_force_x[d_idx] += factor*u
+            d_force_z[d_idx] += factor*v
 
 
 def plate_particles(case, spacing):
@@ -247,6 +304,8 @@ class BarrierFlow(Application):
     def add_user_options(self, group):
         group.add_argument("--case", required=True)
         group.add_argument("--result", required=True)
+        group.add_argument("--central", action="store_true",
+                           help="viscous forces along the line of centres, as in Huang et al.")
         group.add_argument("--tip-time", type=float, default=1.05)
 
     def consume_user_options(self):
@@ -264,7 +323,7 @@ class BarrierFlow(Application):
         eta_max = (material["yield_stress_pa"]/self.rate_min
                    + material["consistency_pa_sn"]*self.rate_min**(material["flow_index"] - 1.0))
         self.dt = min(0.25*self.h/(1.1*self.c), 0.25*math.sqrt(self.h/gravity),
-                      VISCOUS_STEP*self.h**2*self.rho/eta_max)
+                      VISCOUS_STEP[self.options.central]*self.h**2*self.rho/eta_max)
         self.end = self.case["run"]["stop_time_s"]
         self.readings = []  # time, force along the bed, share of the mass downstream, tip
         self.left = 0
@@ -278,7 +337,7 @@ class BarrierFlow(Application):
         density = rho*(1.0 - self.gz*depth/self.c**2)  # hydrostatic
         fluid = get_particle_array(
             name="fluid", x=points[:, 0], y=points[:, 1], h=self.h, rho=density, m=rho*dx**2,
-            additional_props=["V", "arho", "auhat", "avhat", "awhat", "vmag2", "eta"])
+            additional_props=["V", "arho", "auhat", "avhat", "awhat", "eta"])
         for name, stride in (("grad", 4), ("moment", 4), ("moment_fluid", 4), ("gradrho", 3)):
             fluid.add_property(name, stride=stride)
         self.released = len(points)
@@ -294,30 +353,38 @@ class BarrierFlow(Application):
     def create_equations(self):
         material = self.case["material"]
         stiffness = self.c**2*self.rho
-        walls = ["wall", "barrier"]
-        first = [StateEquation("fluid", None, p0=stiffness, rho0=self.rho),
-                 VolumeFromMassDensity("fluid", None)]
-        first += [SetWallVelocity(one, ["fluid"]) for one in walls]
-        second = [SolidWallPressureBC(one, ["fluid"], rho0=self.rho, p0=stiffness, gx=self.gx, gy=self.gz)
-                  for one in walls]
-        third = [VolumeFromMassDensity(one, None) for one in walls]
-        third += [FluidGradients("fluid", ["fluid"]), WallGradients("fluid", walls)]
-        fourth = [HerschelBulkley("fluid", None, material["yield_stress_pa"], material["consistency_pa_sn"],
-                                  material["flow_index"], self.rate_min)]
-        fifth = [
+        walls, central = ["wall", "barrier"], int(self.options.central)
+        velocity = Group([SetWallVelocity(one, ["fluid"]) for one in walls])
+        # the gradient of the density is that of the last forces: neither has moved since
+        density = Group([
             ContinuityEquation("fluid", ["fluid"]),
             ContinuitySolid("fluid", walls),
             ContinuityEquationDeltaSPH("fluid", ["fluid"], c0=self.c, delta=DELTA),
+        ])
+        state = Group([StateEquation("fluid", None, p0=stiffness, rho0=self.rho),
+                       VolumeFromMassDensity("fluid", None)])
+        wall_pressure = Group([
+            SolidWallPressureBC(one, ["fluid"], rho0=self.rho, p0=stiffness, gx=self.gx, gy=self.gz)
+            for one in walls])
+        wall_state = Group([equation(one, None) for one in walls
+                            for equation in (ClampWallPressure, VolumeFromMassDensity)])
+        gradients = Group([FluidGradients("fluid", ["fluid"]), WallGradients("fluid", walls)])
+        rheology = Group([HerschelBulkley(
+            "fluid", None, material["yield_stress_pa"], material["consistency_pa_sn"],
+            material["flow_index"], self.rate_min)])
+        forces = Group([
             MomentumEquationPressureGradient("fluid", ["fluid", *walls], pb=0.0, gx=self.gx, gy=self.gz),
-            FluidViscosity("fluid", ["fluid"]),
-            WallViscosity("fluid", walls),
-            BarrierForce("barrier", ["fluid"]),
-        ]
-        return [Group(first), Group(second), Group(third), Group(fourth), Group(fifth)]
+            FluidViscosity("fluid", ["fluid"], central),
+            WallViscosity("fluid", walls, central),
+            BarrierForce("barrier", ["fluid"], central),
+        ])
+        return MultiStageEquations([
+            [velocity, density],
+            [state, velocity, wall_pressure, wall_state, gradients, rheology, forces]])
 
     def create_solver(self):
         return Solver(dim=2, kernel=WendlandQuintic(dim=2), dt=self.dt, tf=self.end, pfreq=10**9,
-                      integrator=PECIntegrator(fluid=AdamiVerletStep()), adaptive_timestep=False,
+                      integrator=GTVFIntegrator(fluid=KickDriftKick()), adaptive_timestep=False,
                       output_at_times=[0.3, 0.45, 0.6, 0.8, self.options.tip_time, 1.2])
 
     def post_step(self, solver):
