@@ -17,7 +17,7 @@ constexpr double farthest_cell = 1e9;
 
 // Particles of a cell are sorted by height, in so many layers: those of a group then have about as
 // many neighbours, and wall points, as each other.
-constexpr std::int64_t layers = 4;
+constexpr std::int64_t layers_of_cell = 4;
 
 std::int64_t cell_along(double distance, double size) {
   return static_cast<std::int64_t>(
@@ -173,15 +173,16 @@ void NeighborRows::sort(Fluid& fluid) {
     const std::int64_t ix = std::clamp<std::int64_t>(grid_.column(fluid.x[i]), 0, grid_.nx - 1);
     const std::int64_t iz = grid_.row(fluid.z[i]);
     const double height = (fluid.z[i] - grid_.z0) / grid_.cell_z - static_cast<double>(iz);
-    const auto layer = static_cast<std::int64_t>(std::clamp(height * layers, 0.0, layers - 1.0));
-    number_of_[i] = layers * grid_.cell(ix, iz) + layer;
+    const auto layer =
+        static_cast<std::int64_t>(std::clamp(height * layers_of_cell, 0.0, layers_of_cell - 1.0));
+    number_of_[i] = layers_of_cell * grid_.cell(ix, iz) + layer;
   }
-  sort_by_cell(layers * grid_.nx * grid_.nz);
+  sort_by_cell(layers_of_cell * grid_.nx * grid_.nz);
   fluid.permute(order_);
   cells_.clear();
   cell_of_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const std::int64_t number = number_of_[at(order_[k])] / layers;
+    const std::int64_t number = number_of_[at(order_[k])] / layers_of_cell;
     if (cells_.empty() || cells_.back().number != number) {
       const auto first = static_cast<std::int32_t>(k);
       cells_.push_back({.number = number, .begin = first, .end = first});
