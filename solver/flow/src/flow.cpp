@@ -24,7 +24,7 @@ constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibi
 constexpr double shortest_step = 1e-10;  // [s]
 
 constexpr double mach_inverse = 10.0;  // sound over flow: the density stays within a per cent
-constexpr double slack = 0.95;         // a sound speed is kept until one below this share will do
+constexpr double kept_share = 0.95;         // a sound speed is kept until one below this share will do
 
 FlowSetup checked(FlowSetup setup) {
   std::string text;
@@ -125,7 +125,7 @@ void Flow::follow_flow() {
   const double least = setup_.numerics.sound_speed_floor * most;
   const double wanted = std::clamp(mach_inverse * now_.flow_speed, least, most);
   const bool enough = wanted <= now_.sound_speed;
-  if (enough && wanted > slack * now_.sound_speed && wanted > least) return;
+  if (enough && wanted > kept_share * now_.sound_speed && wanted > least) return;
   if (wanted == now_.sound_speed) return;
   const double stretch = (now_.sound_speed * now_.sound_speed) / (wanted * wanted);
   const double rho_0 = setup_.material.density;
