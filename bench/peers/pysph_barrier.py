@@ -14,7 +14,7 @@ the viscous term with it, and the force on the barrier. Numbers of equations are
 Settings: h = 1.33 spacings, as in Parapet; sound speed as in the case (10 times the largest speed
 expected); delta = 0.1. The step is the smallest of 0.25 h/(1.1 c), 0.25 sqrt(h/g) and 0.125 h^2 rho/eta_max,
 the rules of PySPH's schemes; the last one rules, because some material is always below its yield stress. For
-this kernel on a square lattice its limit is 0.316. With --central the limit is 0.114, and 0.09 is used.
+this kernel on a square lattice its limit is 0.316.
 """
 import json
 import math
@@ -35,11 +35,12 @@ from pysph.sph.wc.transport_velocity import (
     SolidWallPressureBC, StateEquation, VolumeFromMassDensity)
 
 from pysph_equations import (
-    BarrierForce, FluidGradients, FluidViscosity, HerschelBulkley, KickDriftKick, WallGradients, WallViscosity)
+    BarrierForce, FluidGradients, FluidViscosity, HerschelBulkley, KickDriftKick, WallGradients,
+    WallViscosity)
 
 SMOOTHING_RATIO = 1.33
 DELTA = 0.1
-VISCOUS_STEP = {False: 0.125, True: 0.09}  # of h^2 rho/eta_max, by the form of the viscous term
+VISCOUS_STEP = 0.125  # of h^2 rho/eta_max
 WALL_LAYERS = 3  # the kernel reaches 2.66 spacings
 FRONT_SHARE = 0.005  # of the released mass is at the front or ahead of it
 READ_EVERY = 10  # steps between two readings of force and positions
@@ -108,8 +109,6 @@ class BarrierFlow(Application):
     def add_user_options(self, group):
         group.add_argument("--case", required=True)
         group.add_argument("--result", required=True)
-        group.add_argument("--central", action="store_true",
-                           help="viscous forces along the line of centres, as in Huang et al.")
         group.add_argument("--tip-time", type=float, default=1.05)
 
     def consume_user_options(self):
@@ -127,7 +126,7 @@ class BarrierFlow(Application):
         eta_max = (material["yield_stress_pa"]/self.rate_min
                    + material["consistency_pa_sn"]*self.rate_min**(material["flow_index"] - 1.0))
         self.dt = min(0.25*self.h/(1.1*self.c), 0.25*math.sqrt(self.h/gravity),
-                      VISCOUS_STEP[self.options.central]*self.h**2*self.rho/eta_max)
+                      VISCOUS_STEP*self.h**2*self.rho/eta_max)
         self.end = self.case["run"]["stop_time_s"]
         self.readings = []  # time, force along the bed, share of the mass downstream, tip
         self.left = 0
@@ -157,7 +156,7 @@ class BarrierFlow(Application):
     def create_equations(self):
         material = self.case["material"]
         stiffness = self.c**2*self.rho
-        walls, central = ["wall", "barrier"], int(self.options.central)
+        walls = ["wall", "barrier"]
         velocity = Group([SetWallVelocity(one, ["fluid"]) for one in walls])
         # the gradient of the density is that of the last forces: neither has moved since
         density = Group([
@@ -178,9 +177,9 @@ class BarrierFlow(Application):
             material["flow_index"], self.rate_min)])
         forces = Group([
             MomentumEquationPressureGradient("fluid", ["fluid", *walls], pb=0.0, gx=self.gx, gy=self.gz),
-            FluidViscosity("fluid", ["fluid"], central),
-            WallViscosity("fluid", walls, central),
-            BarrierForce("barrier", ["fluid"], central),
+            FluidViscosity("fluid", ["fluid"]),
+            WallViscosity("fluid", walls),
+            BarrierForce("barrier", ["fluid"]),
         ])
         return MultiStageEquations([
             [velocity, density],

@@ -121,37 +121,20 @@ class HerschelBulkley(Equation):
 
 
 class FluidViscosity(Equation):
-    """Viscous term between particles of different viscosity, with the harmonic mean of the two.
-
-    PySPH's own form (MomentumEquationViscosity), or the one of Huang et al. along the line of centres with
-    2(d+2) = 8, which conserves angular momentum.
-    """
-
-    def __init__(self, dest, sources, central):
-        self.central = central
-        super(FluidViscosity, self).__init__(dest, sources)
+    """PySPH's MomentumEquationViscosity with a viscosity of each particle: harmonic mean of the two."""
 
     def loop(self, d_idx, s_idx, d_eta, s_eta, d_m, d_V, s_V, d_au, d_av, VIJ, XIJ, DWIJ, R2IJ, EPS):
         Vi, Vj, eta, factor = declare('double', 4)
         Vi = 1.0/d_V[d_idx]
         Vj = 1.0/s_V[s_idx]
         eta = 2.0*d_eta[d_idx]*s_eta[s_idx]/(d_eta[d_idx] + s_eta[s_idx])/(R2IJ + EPS)/d_m[d_idx]
-        if self.central:
-            factor = 8.0*eta*Vi*Vj*(VIJ[0]*XIJ[0] + VIJ[1]*XIJ[1])
-            d_au[d_idx] += factor*DWIJ[0]
-            d_av[d_idx] += factor*DWIJ[1]
-        else:
-            factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
-            d_au[d_idx] += factor*VIJ[0]
-            d_av[d_idx] += factor*VIJ[1]
+        factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
+        d_au[d_idx] += factor*VIJ[0]
+        d_av[d_idx] += factor*VIJ[1]
 
 
 class WallViscosity(Equation):
     """The same at a wall, which takes the viscosity of the particle and the velocity of Eq. 23."""
-
-    def __init__(self, dest, sources, central):
-        self.central = central
-        super(WallViscosity, self).__init__(dest, sources)
 
     def loop(self, d_idx, s_idx, d_eta, d_u, d_v, s_ug, s_vg, d_m, d_V, s_V, d_au, d_av,
              XIJ, DWIJ, R2IJ, EPS):
@@ -161,22 +144,13 @@ class WallViscosity(Equation):
         u = d_u[d_idx] - s_ug[s_idx]
         v = d_v[d_idx] - s_vg[s_idx]
         eta = d_eta[d_idx]/(R2IJ + EPS)/d_m[d_idx]
-        if self.central:
-            factor = 8.0*eta*Vi*Vj*(u*XIJ[0] + v*XIJ[1])
-            d_au[d_idx] += factor*DWIJ[0]
-            d_av[d_idx] += factor*DWIJ[1]
-        else:
-            factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
-            d_au[d_idx] += factor*u
-            d_av[d_idx] += factor*v
+        factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
+        d_au[d_idx] += factor*u
+        d_av[d_idx] += factor*v
 
 
 class BarrierForce(Equation):
     """Force of the fluid on each particle of the barrier: what pressure and viscosity take there, reversed."""
-
-    def __init__(self, dest, sources, central):
-        self.central = central
-        super(BarrierForce, self).__init__(dest, sources)
 
     def initialize(self, d_idx, d_force_x, d_force_z):
         d_force_x[d_idx] = 0.0
@@ -194,11 +168,6 @@ class BarrierForce(Equation):
         u = d_ug[d_idx] - s_u[s_idx]
         v = d_vg[d_idx] - s_v[s_idx]
         eta = s_eta[s_idx]/(R2IJ + EPS)
-        if self.central:
-            factor = 8.0*eta*Vi*Vj*(u*XIJ[0] + v*XIJ[1])
-            d_force_x[d_idx] += factor*DWIJ[0]
-            d_force_z[d_idx] += factor*DWIJ[1]
-        else:
-            factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
-            d_force_x[d_idx] += factor*u
-            d_force_z[d_idx] += factor*v
+        factor = eta*(Vi*Vi + Vj*Vj)*(XIJ[0]*DWIJ[0] + XIJ[1]*DWIJ[1])
+        d_force_x[d_idx] += factor*u
+        d_force_z[d_idx] += factor*v
