@@ -22,13 +22,13 @@ class StartStates {
 
   /// How often a run went on from a state, and the time steps that this saved.
   struct Use {
-    std::int64_t runs = 0;
-    std::int64_t steps = 0;
+    std::int64_t runs = 0;   ///< that went on from a state
+    std::int64_t steps = 0;  ///< that they did not compute
   };
-  Use use() const;
+  Use use() const;  ///< so far
 
-  class Store;  ///< private to the solver
-  Store& store() const { return *store_; }
+  class Store;                              ///< private to the solver
+  Store& store() const { return *store_; }  ///< likewise
 
  private:
   std::unique_ptr<Store> store_;

@@ -35,10 +35,10 @@ struct FieldInfo {
 /// They are read right after the pass, so a flow keeps those of a few particles at a time.
 class GradientSumArrays {
  public:
-  explicit GradientSumArrays(int n);
-  GradientSumArrays(GradientSumArrays&&) = default;
-  GradientSumArrays& operator=(GradientSumArrays&&) = default;
-  GradientSums view;  ///< valid as long as this
+  explicit GradientSumArrays(int n);                            ///< zeros
+  GradientSumArrays(GradientSumArrays&&) = default;             ///< the view goes with the arrays
+  GradientSumArrays& operator=(GradientSumArrays&&) = default;  ///< likewise
+  GradientSums view;                                            ///< valid as long as this
 
  private:
   std::vector<double> values_;
