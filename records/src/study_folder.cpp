@@ -49,7 +49,8 @@ Json read_state(const std::filesystem::path& folder) {
 }
 
 /// Whether the study would have this hash if the present version had begun it: keys that are new
-/// since then, and defaults that have changed, make no other study. Other physics is another matter.
+/// since then, and defaults that have changed, make no other study. Other physics is another
+/// matter.
 bool same_but_for_new_defaults(const std::string& file, const Json& state, const Json& wanted) {
   try {
     const Json stored = designs::without_former_defaults(state.at("spec"), wanted["spec"]);

@@ -150,8 +150,8 @@ TEST(Check, SaysWhatTheSimulationsWillCost) {
   const Outcome outcome =
       run_program(folder.path(), {"check", "case.json", "study.json", "sweep.json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* words : {"each simulation at 20 mm: 50 particles, about ",
-                            " time steps, ", " of one core at 2.6 GHz, ", " MiB",
+  for (const char* words : {"each simulation at 20 mm: 50 particles, about ", " time steps, ",
+                            " of one core at 2.6 GHz, ", " MiB",
                             "at most 12 designs, 36 simulations, ", "for each job", "all rows: "}) {
     EXPECT_PRED_FORMAT2(IsSubstring, words, outcome.out);
   }

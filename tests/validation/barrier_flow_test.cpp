@@ -102,8 +102,8 @@ TEST(BarrierFlow, OpenChannelDepth) {
   std::printf("measured: depth %.1f mm at %.3f s\n", 1e3 * depth, time);
   // The paper: 42 mm at 0.625 s; an independent computation of the same equations with implicit
   // viscosity: 50 mm at 0.60 s. The flow is six particles deep here: half a particle beyond either.
-  // The largest of many readings scatters, and it is flat in time: six lattices gave 53.7 to 56.6 mm
-  // at 0.605 to 0.695 s, standard deviations of 1.2 mm and 32 ms; two of those of the mean are
+  // The largest of many readings scatters, and it is flat in time: six lattices gave 53.7 to 56.6
+  // mm at 0.605 to 0.695 s, standard deviations of 1.2 mm and 32 ms; two of those of the mean are
   // allowed.
   EXPECT_GT(depth, 0.042 - 0.5 * 0.0075);
   EXPECT_LT(depth, 0.050 + 0.5 * 0.0075 + 2.0 * 0.0012 / std::sqrt(lattices));

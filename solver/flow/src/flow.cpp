@@ -24,7 +24,7 @@ constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibi
 constexpr double shortest_step = 1e-10;  // [s]
 
 constexpr double mach_inverse = 10.0;  // sound over flow: the density stays within a per cent
-constexpr double kept_share = 0.95;         // a sound speed is kept until one below this share will do
+constexpr double kept_share = 0.95;    // a sound speed is kept until one below this share will do
 
 FlowSetup checked(FlowSetup setup) {
   std::string text;

@@ -56,7 +56,8 @@ records::Simulation simulate(const SimulationTask& task, const solver::Callbacks
   run.threads = worthwhile_threads(spec, task.threads);
   try {
     const double before = thread_seconds();
-    const solver::Result result = solver::simulate(spec.scene, spec.numerics, run, callbacks, &starts);
+    const solver::Result result =
+        solver::simulate(spec.scene, spec.numerics, run, callbacks, &starts);
     const double seconds = thread_seconds() - before;
     records::Simulation simulation = from_result(spec, run.threads, result);
     // The other threads of a simulation work, or wait busily, as long as the calling one.
@@ -70,8 +71,8 @@ records::Simulation simulate(const SimulationTask& task, const solver::Callbacks
 }  // namespace
 
 Simulator solver_simulator() {
-  return [starts = std::make_shared<solver::StartStates>()](
-             const SimulationTask& task, const solver::Callbacks& callbacks) {
+  return [starts = std::make_shared<solver::StartStates>()](const SimulationTask& task,
+                                                            const solver::Callbacks& callbacks) {
     return simulate(task, callbacks, *starts);
   };
 }
