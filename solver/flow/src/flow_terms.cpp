@@ -194,10 +194,16 @@ void Flow::evaluate() {
   update_gradients(0.0);
 }
 
+// Looking must not change what comes: the densities that update_pressure limits stay as they are,
+// for the step would scale them first where the sound speed follows the flow.
 void Flow::refresh() {
+  const std::vector<double> density = fluid_.density;
   update_pressure();
-  if (now_.statistics.steps > 0) return;
-  evaluate();
+  if (now_.statistics.steps == 0) {
+    evaluate();
+  } else {
+    fluid_.density = density;
+  }
 }
 
 }  // namespace parapet::solver

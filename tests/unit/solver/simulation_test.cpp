@@ -251,5 +251,21 @@ TEST(Simulation, BarrierForceAtRestIsTheWeightItHolds) {
   EXPECT_NEAR(force / samples, 0.5 * 1135.0 * 9.81 * 0.12 * 0.12, 0.05 * 80.2);
 }
 
+// The sound speed follows the flow, spray is under no tension: looking must disturb neither.
+TEST(Simulation, FramesDoNotChangeTheAnswer) {
+  const Scene scene = deflector_scene();
+  const Result unseen = simulate(scene, coarse(), until(1.2));
+  RunOptions options = until(1.2);
+  options.frame_interval = 0.005;
+  int frames = 0;
+  Callbacks callbacks;
+  callbacks.on_frame = [&](const Frame&) { ++frames; };
+  const Result seen = simulate(scene, coarse(), options, callbacks);
+  EXPECT_GT(frames, 200);
+  EXPECT_EQ(seen.series.rows, unseen.series.rows);
+  EXPECT_EQ(seen.statistics.cg_iterations, unseen.statistics.cg_iterations);
+  EXPECT_EQ(seen.mass.in_domain, unseen.mass.in_domain);
+}
+
 }  // namespace
 }  // namespace parapet::solver
