@@ -8,7 +8,7 @@
 namespace parapet::solver {
 namespace {
 
-constexpr std::size_t most_starts = 16;  // of one flow
+constexpr std::size_t most_starts = 32;  // of one flow
 
 std::size_t bytes_of(const Start& start) {
   return start.flow.bytes() + start.record.samples.size() * sizeof(RecordedStart::Sample) +

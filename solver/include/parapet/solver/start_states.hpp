@@ -14,7 +14,7 @@ namespace parapet::solver {
 class StartStates {
  public:
   /// @param most_bytes memory that the states may take; the flow that was longest not asked for
-  ///        goes first. A state takes 0.2 kB a particle, and a flow has up to 16.
+  ///        goes first. A state takes 0.2 kB a particle, and a flow has up to 32.
   explicit StartStates(std::size_t most_bytes = std::size_t{256} << 20);
   ~StartStates();
   StartStates(const StartStates&) = delete;
