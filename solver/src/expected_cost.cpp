@@ -50,8 +50,8 @@ double expected_step(const Scene& scene, const Numerics& numerics) {
   // as Flow follows the flow, at the speed of its fast times
   Numerics fast = numerics;
   if (!is_explicit) {
-    constexpr double fastest = 2.5, mach_inverse = 10.0;
-    const double wanted = mach_inverse * fastest * usual_speed(scene);
+    constexpr double fastest = 2.5;
+    const double wanted = sound_over_flow * fastest * usual_speed(scene);
     fast.sound_speed =
         std::clamp(wanted, numerics.sound_speed_floor * numerics.sound_speed, numerics.sound_speed);
   }

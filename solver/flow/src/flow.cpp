@@ -23,8 +23,7 @@ constexpr double density_limit = 0.5;
 constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
 constexpr double shortest_step = 1e-10;  // [s]
 
-constexpr double mach_inverse = 10.0;  // sound over flow: the density stays within a per cent
-constexpr double kept_share = 0.95;    // a sound speed is kept until one below this share will do
+constexpr double kept_share = 0.95;  // a sound speed is kept until one below this share will do
 
 FlowSetup checked(FlowSetup setup) {
   std::string text;
@@ -123,7 +122,7 @@ std::optional<Failure> Flow::check_state() {
 void Flow::follow_flow() {
   const double most = setup_.numerics.sound_speed;
   const double least = setup_.numerics.sound_speed_floor * most;
-  const double wanted = std::clamp(mach_inverse * now_.flow_speed, least, most);
+  const double wanted = std::clamp(sound_over_flow * now_.flow_speed, least, most);
   const bool enough = wanted <= now_.sound_speed;
   if (enough && wanted > kept_share * now_.sound_speed && wanted > least) return;
   if (wanted == now_.sound_speed) return;

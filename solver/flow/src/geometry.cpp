@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parapet/solver/numerics.hpp"
+
 namespace parapet::solver {
 
 Vec2 stem_direction(const Scene& scene, const Barrier& barrier) {
@@ -40,8 +42,8 @@ double drop_to_gauge(const Scene& scene) {
 }
 
 double usual_sound_speed(const Scene& scene) {
-  constexpr double times_flow = 10.0, of_free_fall = 0.971;
-  return times_flow * of_free_fall * std::sqrt(2.0 * scene.gravity * drop_to_gauge(scene));
+  constexpr double of_free_fall = 0.971;
+  return sound_over_flow * of_free_fall * std::sqrt(2.0 * scene.gravity * drop_to_gauge(scene));
 }
 
 Face make_face(Vec2 a, Vec2 b, int body, int barrier) {

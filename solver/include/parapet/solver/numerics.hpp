@@ -12,6 +12,9 @@ enum class Integrator {
   rk4_explicit         ///< the paper's fourth-order Runge-Kutta, everything explicit
 };
 
+/// Sound speed over flow speed: the density then stays within about a per cent.
+constexpr double sound_over_flow = 10.0;
+
 /// Numerical settings; the defaults are those of the paper where it gives them.
 struct Numerics {
   double spacing = 0.005;         ///< initial particle distance dx [m]
