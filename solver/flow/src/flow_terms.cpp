@@ -5,7 +5,6 @@
 #include "parallel.hpp"
 #include "parapet/flow/flow.hpp"
 #include "parapet/flow/index.hpp"
-#include "parapet/flow/rheology.hpp"
 #include "parapet/flow/shifting.hpp"
 #include "parapet/flow/stage_timer.hpp"
 #include "viscous_solve.hpp"
@@ -129,10 +128,7 @@ void Flow::update_gradients(double interval) {
     const GradientSumArrays sums(end - begin);
     passes_.gradient_sums(a, sums.view, begin, end);
     finish_gradients(fluid_, sums.view, settings, begin, end);
-    for (std::size_t i = at(begin); i < at(end); ++i) {
-      fluid_.viscosity[i] = apparent_viscosity(setup_.material, fluid_.shear_rate[i]);
-      fluid_.pair_viscosity[i] = fluid_.quadrature[i] * fluid_.viscosity[i];
-    }
+    finish_viscosity(fluid_, sums.view, setup_.material, settings, begin, end);
   });
   // only now: meanwhile other particles were looking at the old viscosities
   pack(&Fluid::pack_state);

@@ -5,11 +5,24 @@
 
 namespace parapet::solver {
 
-double apparent_viscosity(const Material& material, double shear_rate) {
+double apparent_viscosity(const Material& material, double shear_rate, double yield_fraction) {
   const bool newtonian = material.yield_stress == 0.0 && material.flow_index == 1.0;
   if (newtonian) return material.consistency;
-  const double g = std::max(shear_rate, material.cutoff_shear_rate);
-  return material.yield_stress / g + material.consistency * std::pow(g, material.flow_index - 1.0);
+  const double cutoff = material.cutoff_shear_rate, g = std::max(shear_rate, cutoff);
+  const double plastic =
+      yield_fraction * material.yield_stress / std::max(shear_rate, yield_fraction * cutoff);
+  return plastic + material.consistency * std::pow(g, material.flow_index - 1.0);
+}
+
+double yield_fraction(double pair_rate, double gradient_rate, double wall_trace) {
+  constexpr double least = 0.5;                 // a gradient misses modes that alternate
+  constexpr double jump = 0.72, smooth = 0.90;  // of g/q
+  constexpr double in_reach = 0.1;              // of the walls
+  if (!(pair_rate > 0.0)) return 1.0;
+  const double share = std::clamp(gradient_rate / pair_rate, least, 1.0);
+  const double t = std::clamp((share - jump) / (smooth - jump), 0.0, 1.0);
+  const double away = 1.0 - std::clamp(wall_trace / in_reach, 0.0, 1.0);
+  return share + (1.0 - share) * (t * t * (3.0 - 2.0 * t)) * away;
 }
 
 double viscous_quadrature(double pp, double pq, double qq, double a, double b) {

@@ -69,8 +69,27 @@ void finish_gradients(Fluid& f, const GradientSums& s, const ShiftingSettings& s
     const double a = 0.5 * (du.x - dw.z), b = 0.5 * (du.z + dw.x);
     f.quadrature[k] = viscous_quadrature(s.moment_pp[i], s.moment_pq[i], s.moment_qq[i], a, b);
     // Not the modulus of the gradient above: the rate whose dissipation eta g^2 is that of the
-    // particle's own viscous pair forces, so that viscosity and forces belong to one potential.
+    // particle's own viscous pair forces.
     f.shear_rate[k] = std::sqrt(4.0 * f.quadrature[k] * s.approach2[i]);
+    s.ux[i] = du.x;
+    s.uz[i] = du.z;
+    s.wx[i] = dw.x;
+    s.wz[i] = dw.z;
+  }
+}
+
+void finish_viscosity(Fluid& f, const GradientSums& s, const Material& material,
+                      const ShiftingSettings& settings, int begin, int end) {
+  for (int i = 0; i < end - begin; ++i) {
+    const auto k = static_cast<std::size_t>(begin + i);
+    // modulus of the part without divergence, which is all that pairs resist with
+    const double stretch = s.ux[i] - s.wz[i], shear = s.uz[i] + s.wx[i];
+    const double modulus = std::sqrt(stretch * stretch + shear * shear);
+    const double walls =
+        settings.no_slip ? f.closeness[k] - (s.fluid_bxx[i] + s.fluid_bzz[i]) : 0.0;
+    f.viscosity[k] = apparent_viscosity(material, f.shear_rate[k],
+                                        yield_fraction(f.shear_rate[k], modulus, walls));
+    f.pair_viscosity[k] = f.quadrature[k] * f.viscosity[k];
   }
 }
 

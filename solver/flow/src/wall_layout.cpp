@@ -36,7 +36,7 @@ WallPoints::WallPoints(std::span<const WallPoint> points, std::vector<int> owner
     PARAPET_WALL_RECORDS(PARAPET_PACK)
 #undef PARAPET_PACK
   }
-  records.state.assign(points.size() + 1, WallState{});
+  pressure.assign(points.size() + 1, 0.0);
 }
 
 WallView WallPoints::view() {
@@ -48,7 +48,7 @@ WallView WallPoints::view() {
 #define PARAPET_POINT(name, ...) view.name = records.name.data();
   PARAPET_WALL_RECORDS(PARAPET_POINT)
 #undef PARAPET_POINT
-  view.state = records.state.data();
+  view.pressure = pressure.data();
   return view;
 }
 

@@ -242,7 +242,7 @@ TEST(WallTable, EveryPointHasItsFieldsRecordsAndAGhost) {
   EXPECT_EQ(view.name[k].d, walls.d[k]) << #name;
     PARAPET_WALL_RECORDS(PARAPET_CHECK)
 #undef PARAPET_CHECK
-    EXPECT_EQ(view.state[k].pressure, 0.0);
+    EXPECT_EQ(view.pressure[k], 0.0);
   }
 }
 

@@ -53,7 +53,6 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
   const FlowConstants& c = a.constants;
   const FluidView& f = a.fluid;
   const v8d zero = splat(0.0), even_volume = splat(c.even_volume);
-  const v8d lowest = splat(0.2 * c.smoothing_length);
   for (int i = begin; i < end; i += lanes) {
     const Group group(i, end);
     const Group sums(i - begin, end - begin);  // where they stand in the range
@@ -81,17 +80,12 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
     for (const std::int32_t* k = row.wall; k != row.end; k += lanes) {
       const auto place = gather(a.wall.place, k);
       const PairGeometry g = pair_geometry<periodic>(c, x, z, place.x, place.z);
-      // No-slip: the particle's velocity relative to the wall goes on linearly below the surface
-      // (Morris et al. 1997), so that the strain rate beside the wall is that of the slope between
-      // wall and particle. Free slip shows no difference.
+      // No-slip: the strain rate beside the wall is that of the slope between wall and particle.
+      // Free slip shows no difference.
       v8d du = zero, dw = zero;
       if (c.no_slip) {
         const auto face = gather(a.wall.face, k);
-        const v8d depth = place.depth;
-        const v8d height =
-            g.rx * face.normal_x + g.rz * face.normal_z - depth;  // above the surface
-        const v8d above = lowest + positive_part(height - lowest);
-        const v8d ratio = (above + depth) / above;
+        const v8d ratio = linear_extension(c, g.rx, g.rz, face, place.depth);
         du = (face.u - ui) * ratio;
         dw = (face.w - wi) * ratio;
       }

@@ -57,9 +57,15 @@ PARAPET_INLINE v8d safe_r2(const FlowConstants& c, v8d r2) {
   return r2 + splat(1e-12 * c.smoothing_length * c.smoothing_length);
 }
 
-// Velocity of a wall without slip, as its fluid sees it: the fluid's own mirrored.
-PARAPET_INLINE TwoLanes mirrored(const Lanes<FaceRecord>& face, const Lanes<WallState>& state) {
-  return {splat(2.0) * face.u - state.fluid_u, splat(2.0) * face.w - state.fluid_w};
+// Without slip, the velocity of the fluid relative to the wall goes on linearly below the surface
+// (Morris et al. 1997): velocity difference between a particle and a wall point over that between
+// particle and surface. r leads from the point to the particle.
+PARAPET_INLINE v8d linear_extension(const FlowConstants& c, v8d rx, v8d rz,
+                                    const Lanes<FaceRecord>& face, v8d depth) {
+  const v8d lowest = splat(0.2 * c.smoothing_length);
+  const v8d height = rx * face.normal_x + rz * face.normal_z - depth;  // above the surface
+  const v8d above = lowest + positive_part(height - lowest);
+  return (above + depth) / above;
 }
 
 // Calls the periodic or the plain version of a pass.

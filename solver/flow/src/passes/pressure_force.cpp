@@ -28,7 +28,7 @@ static void force(const FlowArrays& a, double* ax, double* az, int begin, int en
     for (const std::int32_t* k = row.wall; k != row.end; k += lanes) {
       const auto place = gather(a.wall.place, k);
       const PairGeometry g = pair_geometry<periodic>(c, x, z, place.x, place.z);
-      const v8d pressure = gather(a.wall.state, k).pressure;
+      const v8d pressure = gather(a.wall.pressure, k);
       const v8d scale = (pressure + at_wall) * (g.f * place.volume);
       sx += scale * g.rx;
       sz += scale * g.rz;

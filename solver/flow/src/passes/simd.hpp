@@ -43,7 +43,6 @@ struct Lanes;
   };
 PARAPET_PARTICLE_RECORDS(PARAPET_LANES)
 PARAPET_WALL_RECORDS(PARAPET_LANES)
-PARAPET_LANES(state, WallState, pressure, fluid_u, fluid_w, unused)
 #undef PARAPET_LANES
 
 struct TwoLanes {

@@ -1,6 +1,8 @@
 // Viscous part of Eq. 6 in the form that conserves angular momentum (Monaghan and Gingold 1983):
 // (1/rho_i) sum 8 eta_ij (u_ij . r_ij)/r_ij^2 grad W V_j, eta_ij = (eta_i + eta_j)/2,
-// where 8 = 2(d + 2) makes the sum approximate div(2 eta S). Walls carry the particle's viscosity.
+// where 8 = 2(d + 2) makes the sum approximate div(2 eta S). Walls carry the particle's viscosity
+// and its velocity continued linearly, as in the strain rate of the gradient pass: the force is
+// that of the same slope.
 #include "pair_geometry.hpp"
 #include "passes.hpp"
 
@@ -9,8 +11,9 @@ namespace {
 
 constexpr double alpha = 8.0;
 
-// With the strain rate of the pair sum (shifting.cpp) the arithmetic mean makes the forces the
-// derivative of the summed dissipation; the harmonic mean of Eq. 6 belongs to no such sum.
+// With the strain rate of the pair sum (shifting.cpp) the arithmetic mean makes the power of the
+// forces the summed dissipation of the particles; the harmonic mean of Eq. 6 belongs to no such
+// sum.
 PARAPET_INLINE v8d mean(v8d eta_i, v8d eta_j) {
   return splat(0.5) * (eta_i + eta_j);
 }
@@ -38,8 +41,9 @@ void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
     for (const std::int32_t* k = row.wall; c.no_slip && k != row.end; k += lanes) {
       const auto place = gather(a.wall.place, k);
       const PairGeometry g = pair_geometry<periodic>(c, x, z, place.x, place.z);
-      const TwoLanes mirror = mirrored(gather(a.wall.face, k), gather(a.wall.state, k));
-      const v8d approach = (u - mirror.x) * g.rx + (w - mirror.z) * g.rz;
+      const auto face = gather(a.wall.face, k);
+      const v8d ratio = linear_extension(c, g.rx, g.rz, face, place.depth);
+      const v8d approach = ((u - face.u) * g.rx + (w - face.w) * g.rz) * ratio;
       const v8d scale = eta * (g.f * place.volume) * (approach / safe_r2(c, g.r2));
       sx += scale * g.rx;
       sz += scale * g.rz;
@@ -56,14 +60,13 @@ void force(const FlowArrays& a, double* ax, double* az, int begin, int end) {
 // s, and rounds them alike: the matrix stays symmetric, positive definite and momentum-conserving
 // to the rounding of doubles, and as free of directions as the exact one. What the float costs is
 // 6e-8 of a pair's viscosity.
-// At walls the own velocity stands for the mirrored one inside the matrix and the difference to
-// Adami's interpolated velocity is lagged to the right-hand side, so that the matrix stays
-// symmetric positive definite while a steady state is exactly that of viscous_force.
+// A wall's velocity is known, so that its points add to the particle's own block and to the
+// right-hand side.
 template <bool periodic>
 void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
   const FlowConstants& c = a.constants;
   const FluidView& f = a.fluid;
-  const v8d zero = splat(0.0), two = splat(2.0), strength = splat(alpha * v.dt);
+  const v8d zero = splat(0.0), strength = splat(alpha * v.dt);
   for (int i = begin; i < end; i += lanes) {
     const Group group(i, end);
     const Row row(a.rows, i);
@@ -83,28 +86,27 @@ void matrix(const FlowArrays& a, const ViscousView& v, int begin, int end) {
       dzz += s * g.rz * g.rz;
     }
     v8d wxx = zero, wxz = zero, wzz = zero, rx = zero, rz = zero;
-    const v8d u = group.load(f.u), w = group.load(f.w);
     for (const std::int32_t* k = row.wall; c.no_slip && k != row.end; k += lanes) {
       const auto place = gather(a.wall.place, k);
+      const auto face = gather(a.wall.face, k);
       const PairGeometry g = pair_geometry<periodic>(c, x, z, place.x, place.z);
       const v8d weight = strength * eta * (volume * place.volume);
-      const v8d s = weight * (-g.f / safe_r2(c, g.r2));
-      const TwoLanes mirror = mirrored(gather(a.wall.face, k), gather(a.wall.state, k));
-      // -s (u_i - mirror) = -s 2 u_i(new) + s (u_i(old) + mirror)
-      const v8d lagged = s * ((u + mirror.x) * g.rx + (w + mirror.z) * g.rz);
-      rx += lagged * g.rx;
-      rz += lagged * g.rz;
+      const v8d ratio = linear_extension(c, g.rx, g.rz, face, place.depth);
+      const v8d s = weight * ratio * (-g.f / safe_r2(c, g.r2));
+      const v8d drive = s * (face.u * g.rx + face.w * g.rz);
+      rx += drive * g.rx;
+      rz += drive * g.rz;
       wxx += s * g.rx * g.rx;
       wxz += s * g.rx * g.rz;
       wzz += s * g.rz * g.rz;
     }
     const v8d mass = group.load(f.mass);
-    const v8d own_xx = mass + two * wxx, own_xz = two * wxz, own_zz = mass + two * wzz;
+    const v8d own_xx = mass + wxx, own_zz = mass + wzz;
     group.store(v.wall_xx, own_xx);
-    group.store(v.wall_xz, own_xz);
+    group.store(v.wall_xz, wxz);
     group.store(v.wall_zz, own_zz);
     group.store(v.diagonal_xx, own_xx + dxx);
-    group.store(v.diagonal_xz, own_xz + dxz);
+    group.store(v.diagonal_xz, wxz + dxz);
     group.store(v.diagonal_zz, own_zz + dzz);
     group.store(v.rhs_x, rx);
     group.store(v.rhs_z, rz);

@@ -1,6 +1,6 @@
 // Generalised wall boundary (Adami, Hu and Adams 2012): wall points take the pressure of the fluid
-// that they see, with the weight of the column between (their Eq. 27), and know the fluid's
-// interpolated velocity, which no-slip mirrors (their Eq. 22-23).
+// that they see, with the weight of the column between (their Eq. 27). What shears the fluid is the
+// linear extension of pair_geometry.hpp.
 #include "pair_geometry.hpp"
 #include "passes.hpp"
 
@@ -23,7 +23,7 @@ static void extrapolate(const FlowArrays& a, int begin, int end) {
   for (int s = begin; s < end; s += lanes) {
     const WallGroup group(a.rows, s, end);
     const auto place = gather(a.wall.place, group.points);
-    v8d w_sum = zero, p_sum = zero, hx = zero, hz = zero, us = zero, ws = zero;
+    v8d w_sum = zero, p_sum = zero, hx = zero, hz = zero;
     for (const std::int32_t* j = group.fluid; j != group.fluid_end; j += lanes) {
       const auto motion = gather(a.fluid.motion, j);
       const auto state = gather(a.fluid.state, j);
@@ -34,17 +34,11 @@ static void extrapolate(const FlowArrays& a, int begin, int end) {
       p_sum += state.pressure * w;
       hx += rho_w * g.rx;
       hz += rho_w * g.rz;
-      us += motion.u * w;
-      ws += motion.w * w;
     }
     const v8d inverse = w_sum > zero ? one / w_sum : zero;
     const v8d head = splat(c.gravity_x) * hx + splat(c.gravity_z) * hz;
     const v8d p = positive_part((p_sum + head) * inverse);  // a wall does not pull
-    const v8d u = us * inverse, w = ws * inverse;
-    for (int l = 0; l < group.count; ++l) {
-      a.wall.state[group.points[l]] = {
-          .pressure = p[l], .fluid_u = u[l], .fluid_w = w[l], .unused = 0.0};
-    }
+    for (int l = 0; l < group.count; ++l) a.wall.pressure[group.points[l]] = p[l];
   }
 }
 
@@ -60,17 +54,17 @@ static void load(const FlowArrays& a, double* fx, double* fz, int begin, int end
     const WallGroup group(a.rows, s, end);
     const auto place = gather(a.wall.place, group.points);
     const auto face = gather(a.wall.face, group.points);
-    const auto state = gather(a.wall.state, group.points);
-    const TwoLanes mirror = mirrored(face, state);
+    const v8d pressure = gather(a.wall.pressure, group.points);
     v8d sx = splat(0.0), sz = sx;
     for (const std::int32_t* j = group.fluid; j != group.fluid_end; j += lanes) {
       const auto motion = gather(a.fluid.motion, j);
       const auto fluid = gather(a.fluid.state, j);
       const PairGeometry g = pair_geometry<periodic>(c, place.x, place.z, motion.x, motion.z);
       const v8d fv = g.f * fluid.volume * place.volume;
-      v8d scale = fv * (state.pressure + positive_part(gather(a.fluid.tic, j) * fluid.pressure));
+      v8d scale = fv * (pressure + positive_part(gather(a.fluid.tic, j) * fluid.pressure));
       if (c.no_slip) {
-        const v8d approach = (motion.u - mirror.x) * g.rx + (motion.w - mirror.z) * g.rz;
+        const v8d ratio = linear_extension(c, -g.rx, -g.rz, face, place.depth);
+        const v8d approach = ((motion.u - face.u) * g.rx + (motion.w - face.w) * g.rz) * ratio;
         scale += splat(8.0) * fluid.pair_viscosity * fv * (approach / safe_r2(c, g.r2));
       }
       // g.rx points from the fluid to the wall here

@@ -150,7 +150,7 @@ class Flow {
   /// Equation of state (Eq. 2) and volumes. Spray is under no tension, and a particle that is alone
   /// has the reference density.
   void update_pressure();
-  /// The fluid's pressure and velocity at the wall points (Adami et al. 2012).
+  /// The fluid's pressure at the wall points (Adami et al. 2012).
   void extrapolate_walls();
   /// Renormalised gradients, shifting velocity and rheology (Eq. 8-11, 13-15).
   /// @param interval the shifting velocity will be kept that long [s]

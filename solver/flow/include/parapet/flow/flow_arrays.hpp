@@ -47,13 +47,6 @@ PARAPET_PARTICLE_RECORDS(PARAPET_DECLARE_RECORD)
 PARAPET_WALL_RECORDS(PARAPET_DECLARE_RECORD)
 #undef PARAPET_DECLARE_RECORD
 
-/// What the fluid does to a wall point.
-struct alignas(32) WallState {
-  double pressure;          ///< extrapolated from the fluid [Pa]
-  double fluid_u, fluid_w;  ///< fluid velocity interpolated at the point [m/s]
-  double unused;            ///< a record holds four
-};
-
 /// Arrays [n + 1] of every quantity that lasts, and the records; names and units:
 /// particle_fields.hpp.
 struct FluidView {
@@ -72,7 +65,7 @@ struct WallView {
   PARAPET_WALL_RECORDS(PARAPET_VIEW_RECORD)
 #undef PARAPET_VIEW_FIELD
 #undef PARAPET_VIEW_RECORD
-  WallState* state;  ///< the ghost's is zero
+  double* pressure;  ///< extrapolated from the fluid [Pa]; the ghost's is zero
 };
 
 /// Sums of the gradient pass over a range of particles, [end - begin] each.
@@ -107,7 +100,7 @@ struct ViscousView {
   const std::int32_t* begin;                        ///< [n_groups] where a group's start
   double *wall_xx, *wall_xz, *wall_zz;              ///< [n_fluid] mass and walls alone
   double *diagonal_xx, *diagonal_xz, *diagonal_zz;  ///< [n_fluid] mass, pairs and walls
-  double *rhs_x, *rhs_z;  ///< [n_fluid] momentum from the walls' lagged part
+  double *rhs_x, *rhs_z;                            ///< [n_fluid] momentum from walls that move
   double dt;
 };
 

@@ -22,7 +22,7 @@ struct PassTable {
   /// The rows without the pairs that the skin holds but the kernel does not reach; the rows of a
   /// range start at its first group's old place.
   void (*reached_rows)(const FlowArrays&, const ReachedRows&, int begin, int end);
-  /// Pressure and velocity of the fluid at wall points (Adami et al. 2012); range over active_wall.
+  /// Pressure of the fluid at wall points (Adami et al. 2012); range over active_wall.
   void (*extrapolate_walls)(const FlowArrays&, int begin, int end);
   /// All sums of the renormalised gradients, shifting and strain rate; those of `begin` come first.
   void (*gradient_sums)(const FlowArrays&, const GradientSums&, int begin, int end);

@@ -5,9 +5,27 @@
 
 namespace parapet::solver {
 
-/// eta = tau_y/g + K g^(N-1), g = max(shear rate, cut-off) [Pa s]; K alone for a Newtonian fluid.
-/// The shear rate is in 1/s.
-double apparent_viscosity(const Material& material, double shear_rate);
+/// eta = min(tau_y/g_c, s tau_y/g) + K max(g, g_c)^(N-1) with the cut-off g_c [Pa s]; K alone for a
+/// Newtonian fluid. With s = 1 that is tau_y/g + K g^(N-1) at g = max(shear rate, cut-off).
+/// @param shear_rate g [1/s]
+/// @param yield_fraction s, see below
+double apparent_viscosity(const Material& material, double shear_rate, double yield_fraction = 1.0);
+
+/// Fraction s of tau_y/q that the yield part of a particle's viscosity takes, in [0.5, 1], so that
+/// a jump in velocity is dissipated once.
+///
+/// The rate q of the viscous pairs is the root of a sum of squares. Where the velocity jumps by u
+/// across a plane, the sum of V q over the particles is 1.5 to 1.8 u per area at h/dx = 1.33: a
+/// plug that slides would meet 1.5 to 1.8 tau_y. The modulus g of the gradient is linear in the
+/// velocity and sums to u. With the viscosity s tau_y/q, s = g/q, a particle dissipates tau_y g. In
+/// a smooth flow g falls short of q by curvature and disorder alone, and there is no jump to share:
+/// from g/q = 0.72 to 0.90 the fraction goes over to 1. Where walls are in reach it does not,
+/// because the rate beside a wall is that of one slope and only a slip along the wall tells g and q
+/// apart.
+/// @param pair_rate q [1/s]
+/// @param gradient_rate g = sqrt(2 S:S) of the renormalised gradient [1/s]
+/// @param wall_trace the walls' part of the trace of the tensor of Eq. 8 (2 for all neighbours)
+double yield_fraction(double pair_rate, double gradient_rate, double wall_trace);
 
 /// Correction of the viscous pair sum for the arrangement of the neighbours, in [0.5, 2].
 ///

@@ -1,9 +1,10 @@
 /// From the sums of the gradient pass to what the equations need, particle by particle:
 /// renormalised gradients (Eq. 8), surface indicator and shifting velocity (Eq. 9-11), shear rate
-/// (Eq. 13) and the switch of the tensile-instability control.
+/// (Eq. 13), viscosity (Eq. 14-15) and the switch of the tensile-instability control.
 #pragma once
 
 #include "parapet/flow/fluid.hpp"
+#include "parapet/solver/scene.hpp"
 
 namespace parapet::solver {
 
@@ -27,8 +28,13 @@ struct ShiftingSettings {
 };
 
 /// Fills lambda, closeness, tic, shift_u/w, density_grad, quadrature and shear_rate of particles
-/// [begin, end) from their sums, those of `begin` first, and pressures.
+/// [begin, end) from their sums, those of `begin` first, and pressures. Afterwards ux, uz, wx and
+/// wz of the sums hold the renormalised velocity gradient [1/s].
 void finish_gradients(Fluid& fluid, const GradientSums& sums, const ShiftingSettings& settings,
                       int begin, int end);
+
+/// Then the viscosity and pair_viscosity of the same particles.
+void finish_viscosity(Fluid& fluid, const GradientSums& sums, const Material& material,
+                      const ShiftingSettings& settings, int begin, int end);
 
 }  // namespace parapet::solver

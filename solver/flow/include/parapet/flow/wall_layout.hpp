@@ -29,11 +29,11 @@ struct WallPoints {
   /// Packed for the passes, see WallView.
   struct Records {
     PARAPET_WALL_RECORDS(PARAPET_RECORDS)
-    std::vector<WallState> state;
   } records;
 #undef PARAPET_ARRAY
 #undef PARAPET_RECORDS
-  std::vector<int> owner;  ///< [n] the face that a point belongs to
+  std::vector<double> pressure;  ///< of the fluid that a point sees [Pa]
+  std::vector<int> owner;        ///< [n] the face that a point belongs to
 
   WallPoints() : WallPoints(std::span<const WallPoint>{}, {}) {}
   /// Points and the face of each; both of the same length.
