@@ -7,6 +7,7 @@ namespace parapet::validation {
 std::span<const Case> all_cases() {
   static constexpr auto cases = std::to_array<Case>({
       {"operators", "Kernel and operators", operators},
+      {"slip_planes", "Sliding on a wall and on a plane inside", slip_planes},
       {"plane_flows", "Plane Poiseuille and Couette flow", plane_flows},
       {"uniform_flow", "Uniform debris flow down the channel", uniform_flow},
       {"tanks", "Fluid at rest in tanks", tanks},

@@ -6,6 +6,7 @@
 namespace parapet::validation {
 
 void operators(CaseRun& run);
+void slip_planes(CaseRun& run);
 void plane_flows(CaseRun& run);
 void uniform_flow(CaseRun& run);
 void tanks(CaseRun& run);
