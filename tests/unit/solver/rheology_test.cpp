@@ -31,6 +31,36 @@ TEST(Rheology, NoYieldAndUnitIndexIsNewtonian) {
   EXPECT_EQ(apparent_viscosity(water, 1e4), 0.001);
 }
 
+TEST(Rheology, APartOfTheYieldStressLeavesTheConsistencyAndTheCutOffAlone) {
+  const Material m;
+  const double g = 30.0, viscous = m.consistency * std::pow(g, m.flow_index);
+  EXPECT_NEAR(apparent_viscosity(m, g, 0.6) * g, 0.6 * m.yield_stress + viscous,
+              1e-9 * m.yield_stress);
+  // what is at rest is as stiff as without a jump, down to 0.6 of the cut-off rate
+  EXPECT_EQ(apparent_viscosity(m, 0.0, 0.6), apparent_viscosity(m, 0.0));
+  EXPECT_NEAR(apparent_viscosity(m, 0.06, 0.6), apparent_viscosity(m, 0.06), 1e-9);
+  EXPECT_LT(apparent_viscosity(m, 0.09, 0.6), 0.9 * apparent_viscosity(m, 0.09));
+}
+
+TEST(YieldFraction, IsTheShareOfTheGradientAtAJumpAndOneInASmoothFlow) {
+  EXPECT_EQ(yield_fraction(100.0, 60.0, 0.0), 0.6);
+  EXPECT_EQ(yield_fraction(100.0, 100.0, 0.0), 1.0);
+  EXPECT_EQ(yield_fraction(100.0, 90.0, 0.0), 1.0);
+  EXPECT_NEAR(yield_fraction(100.0, 81.0, 0.0), 0.81 + 0.5 * 0.19, 1e-12);  // halfway
+  EXPECT_EQ(yield_fraction(100.0, 120.0, 0.0), 1.0);  // a support that is cut off
+  EXPECT_EQ(yield_fraction(100.0, 10.0, 0.0), 0.5);   // modes that a gradient does not see
+}
+
+TEST(YieldFraction, GoesByTheGradientAloneBesideAWall) {
+  EXPECT_EQ(yield_fraction(100.0, 90.0, 0.7), 0.9);
+  EXPECT_EQ(yield_fraction(100.0, 90.0, 0.1), 0.9);
+  EXPECT_NEAR(yield_fraction(100.0, 90.0, 0.05), 0.95, 1e-12);
+}
+
+TEST(YieldFraction, IsOneAtRest) {
+  EXPECT_EQ(yield_fraction(0.0, 0.0, 0.0), 1.0);
+}
+
 TEST(Quadrature, IsOneForAnIsotropicCompleteNeighbourhood) {
   EXPECT_NEAR(viscous_quadrature(1.0, 0.0, 1.0, 0.0, 5.0), 1.0, 1e-12);
   EXPECT_NEAR(viscous_quadrature(1.0, 0.0, 1.0, 3.0, -4.0), 1.0, 1e-12);
