@@ -61,7 +61,7 @@ void finish_gradients(benchmark::State& state, Subject& s) {
   solver::Fluid fluid = std::as_const(s.flow).fluid();
   const solver::ShiftingSettings settings{s.flow.smoothing_length(), 2.0, 1.0, true};
   for ([[maybe_unused]] auto _ : state) {
-    solver::finish_gradients(fluid, sums.view, settings, 0, fluid.n);
+    solver::finish_gradients(fluid, sums.view, settings, s.flow.setup().material, 0, fluid.n);
   }
   per_particle(state, fluid.n);
 }

@@ -37,19 +37,21 @@ constexpr std::array<PassCost, 9> table{{
      geometry_bytes + 6 * value, 4, 24 * value},
     // fluid: u_ij 2, dot product 3, mean viscosity 2, F V 1, guard 1, division 1, products 2, sums
     // 4;
-    // u, w, eta, V. wall: mirrored velocity 4 more, no mean; u, w, fluid's u, w, V
-    {"viscous_force", geometry + 16, geometry + 18, geometry_bytes + 4 * value,
-     geometry_bytes + 5 * value, 4, 11 * value},
+    // u, w, eta, V. wall: linear extension 9 more, no mean; u, w, n, depth, V
+    {"viscous_force", geometry + 16, geometry + 23, geometry_bytes + 4 * value,
+     geometry_bytes + 6 * value, 4, 11 * value},
     // fluid: mean 2, V V 1, product 1, guard 1, division 1, products 2, sums 8; eta, V; writes s.
-    // wall: weight 5, mirror 4, lagged 6, its sums 4, sums 8; u, w, fluid's, V
-    {"viscous_matrix", geometry + 16, geometry + 27, geometry_bytes + 2 * value + 4,
-     geometry_bytes + 5 * value, 4 + 4, 15 * value},
+    // wall: weight 5, linear extension 9, drive 4, its sums 4, sums 8; u, w, n, depth, V
+    {"viscous_matrix", geometry + 16, geometry + 30, geometry_bytes + 2 * value + 4,
+     geometry_bytes + 6 * value, 4 + 4, 13 * value},
     // fluid alone: r 2, differences 2, dot product 3, times s 1, two sums 4; index, s, x, z, v
     {"viscous_product", 12, 0, 4 + 4 + 4 * value, 0, 4 + 4, 9 * value},
-    // wall alone: W 6, rho W 1, sums of W 1, p 2, head 4, velocity 4; rho, p, u, w
-    {"extrapolate_walls", 0, geometry + kernel_w + 12, 0, geometry_bytes + 4 * value, 4, 6 * value},
-    // wall alone: F V V 2, pressure 2, approach 5, viscous part 6, sums 4; V, p, u, w, eta
-    {"wall_load", 0, geometry + 19, 0, geometry_bytes + 5 * value, 4, 8 * value},
+    // wall alone: W 6, rho W 1, sums of W 1, p 2, head 4; rho, p
+    {"extrapolate_walls", 0, geometry + kernel_w + 8, 0, geometry_bytes + 2 * value, 4, 3 * value},
+    // wall alone: F V V 2, pressure 2, approach 5, linear extension 9, viscous part 6, sums 4; V,
+    // p,
+    // u, w, eta
+    {"wall_load", 0, geometry + 28, 0, geometry_bytes + 5 * value, 4, 8 * value},
     // pressure_force and density_rate, each pair counted once
     {"pressure_and_continuity", 2 * geometry + 45, 2 * geometry + 26,
      2 * geometry_bytes + 10 * value, 2 * geometry_bytes + 7 * value, 8, 23 * value},

@@ -127,8 +127,7 @@ void Flow::update_gradients(double interval) {
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     const GradientSumArrays sums(end - begin);
     passes_.gradient_sums(a, sums.view, begin, end);
-    finish_gradients(fluid_, sums.view, settings, begin, end);
-    finish_viscosity(fluid_, sums.view, setup_.material, settings, begin, end);
+    finish_gradients(fluid_, sums.view, settings, setup_.material, begin, end);
   });
   // only now: meanwhile other particles were looking at the old viscosities
   pack(&Fluid::pack_state);

@@ -41,8 +41,8 @@ Vec2 shifting_velocity(Vec2 sum, double fluid_lambda, const ShiftingSettings& s)
 
 }  // namespace
 
-void finish_gradients(Fluid& f, const GradientSums& s, const ShiftingSettings& settings, int begin,
-                      int end) {
+void finish_gradients(Fluid& f, const GradientSums& s, const ShiftingSettings& settings,
+                      const Material& material, int begin, int end) {
   for (int i = 0; i < end - begin; ++i) {
     const auto k = static_cast<std::size_t>(begin + i);
     const Symmetric all{s.bxx[i], s.bxz[i], s.bzz[i]};
@@ -71,22 +71,9 @@ void finish_gradients(Fluid& f, const GradientSums& s, const ShiftingSettings& s
     // Not the modulus of the gradient above: the rate whose dissipation eta g^2 is that of the
     // particle's own viscous pair forces.
     f.shear_rate[k] = std::sqrt(4.0 * f.quadrature[k] * s.approach2[i]);
-    s.ux[i] = du.x;
-    s.uz[i] = du.z;
-    s.wx[i] = dw.x;
-    s.wz[i] = dw.z;
-  }
-}
-
-void finish_viscosity(Fluid& f, const GradientSums& s, const Material& material,
-                      const ShiftingSettings& settings, int begin, int end) {
-  for (int i = 0; i < end - begin; ++i) {
-    const auto k = static_cast<std::size_t>(begin + i);
     // modulus of the part without divergence, which is all that pairs resist with
-    const double stretch = s.ux[i] - s.wz[i], shear = s.uz[i] + s.wx[i];
-    const double modulus = std::sqrt(stretch * stretch + shear * shear);
-    const double walls =
-        settings.no_slip ? f.closeness[k] - (s.fluid_bxx[i] + s.fluid_bzz[i]) : 0.0;
+    const double modulus = 2.0 * std::sqrt(a * a + b * b);
+    const double walls = settings.no_slip ? f.closeness[k] - (fluid.xx + fluid.zz) : 0.0;
     f.viscosity[k] = apparent_viscosity(material, f.shear_rate[k],
                                         yield_fraction(f.shear_rate[k], modulus, walls));
     f.pair_viscosity[k] = f.quadrature[k] * f.viscosity[k];

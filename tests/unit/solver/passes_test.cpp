@@ -268,7 +268,8 @@ TEST(Passes, ShiftingMovesDisplacedParticlesBackAndLeavesTheSurfaceAlone) {
   flow.evaluate();
   Fluid& f = flow.fluid();
   constexpr double largest_speed = 2.0;
-  finish_gradients(f, flow.gradient_sums().view, {h, largest_speed, 1.0, false}, 0, f.n);
+  finish_gradients(f, flow.gradient_sums().view, {h, largest_speed, 1.0, false}, Material{}, 0,
+                   f.n);
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     EXPECT_LE(std::hypot(f.shift_u[i], f.shift_w[i]), 0.5 * largest_speed + 1e-12);
     const double margin = std::min(std::min(f.x[i], 0.2 - f.x[i]), std::min(f.z[i], 0.2 - f.z[i]));

@@ -27,14 +27,9 @@ struct ShiftingSettings {
   bool no_slip;             ///< walls shear the fluid
 };
 
-/// Fills lambda, closeness, tic, shift_u/w, density_grad, quadrature and shear_rate of particles
-/// [begin, end) from their sums, those of `begin` first, and pressures. Afterwards ux, uz, wx and
-/// wz of the sums hold the renormalised velocity gradient [1/s].
+/// Fills lambda, closeness, tic, shift_u/w, density_grad, quadrature, shear_rate, viscosity and
+/// pair_viscosity of particles [begin, end) from their sums, those of `begin` first, and pressures.
 void finish_gradients(Fluid& fluid, const GradientSums& sums, const ShiftingSettings& settings,
-                      int begin, int end);
-
-/// Then the viscosity and pair_viscosity of the same particles.
-void finish_viscosity(Fluid& fluid, const GradientSums& sums, const Material& material,
-                      const ShiftingSettings& settings, int begin, int end);
+                      const Material& material, int begin, int end);
 
 }  // namespace parapet::solver
