@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "cases.hpp"
 #include "flow_tools.hpp"
 #include "parapet/flow/flow.hpp"
+#include "parapet/flow/rheology.hpp"
 #include "settled_particles.hpp"
 
 namespace parapet::validation {
@@ -36,13 +38,13 @@ struct Arrangement {
   bool settled;
 };
 
-const std::vector<Arrangement> arrangements{
+const std::array<Arrangement, 5> arrangements{{
     {"lattice_0", "lattice, rows along the plane", 0, 1, false},
     {"lattice_14", "lattice, rows at 14 deg", 1, 4, false},
     {"lattice_27", "lattice, rows at 27 deg", 1, 2, false},
     {"lattice_45", "lattice, rows at 45 deg", 1, 1, false},
     {"settled", "settled particles", 0, 1, true},
-};
+}};
 
 // What moves: all over the wall, the upper half over the lower one, or every row a little faster
 // than the one below, with or without the wall.
@@ -85,9 +87,20 @@ FlowSetup block(const Arrangement& a, Motion motion, double dx, double smoothing
 }
 
 // Force per length along the plane on all that lies above it, over tau_y.
-double resistance(const Arrangement& a, Motion motion, double dx, double smoothing, double height) {
+struct Resistance {
+  double scheme = 0.0;  // as the solver has it
+  double pairs = 0.0;   // with the yield stress over the rate of the pairs as the viscosity
+  Resistance& operator+=(const Resistance& other) {
+    scheme += other.scheme;
+    pairs += other.pairs;
+    return *this;
+  }
+};
+
+Resistance resistance(const Arrangement& a, Motion motion, double dx, double smoothing,
+                      double height) {
   FlowSetup setup = block(a, motion, dx, smoothing);
-  const double tau = setup.material.yield_stress, period = setup.periodic_length;
+  const double whole = setup.material.yield_stress * setup.periodic_length;
   const auto above = [&](double z) { return has_wall(motion) || z > height * dx; };
   for (InitialParticle& p : setup.particles) {
     const bool shear = motion == Motion::shear || motion == Motion::shear_on_wall;
@@ -95,79 +108,123 @@ double resistance(const Arrangement& a, Motion motion, double dx, double smoothi
   }
   Flow flow(std::move(setup));
   flow.evaluate();
-  const Fluid& f = std::as_const(flow).fluid();
-  std::vector<double> ax(f.x.size(), 0.0), az = ax;
-  flow.add_viscous_force(ax, az);
-  double force = 0.0;
+  Fluid& f = flow.fluid();
+  const auto force = [&] {
+    std::vector<double> ax(f.x.size(), 0.0), az = ax;
+    flow.add_viscous_force(ax, az);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+      if (above(f.z[i])) sum -= f.mass[i] * ax[i];
+    }
+    return sum / whole;
+  };
+  const double scheme = force();
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
-    if (above(f.z[i])) force -= f.mass[i] * ax[i];
+    f.pair_viscosity[i] =
+        f.quadrature[i] * solver::apparent_viscosity(flow.setup().material, f.shear_rate[i]);
   }
-  return force / (tau * period);
+  f.pack(0, f.n);  // the sums read the neighbours' viscosity from the records
+  return {scheme, force()};
 }
 
 // Over planes a little apart, as particles without order differ from each to the next.
-double mean_resistance(const Arrangement& a, Motion motion, double dx, double smoothing) {
+Resistance mean_resistance(const Arrangement& a, Motion motion, double dx, double smoothing) {
   const std::vector<double> heights = a.settled && motion == Motion::inside
                                           ? std::vector{6.0, 7.3, 8.6, 9.9}
                                           : std::vector{0.5 * rows};
-  double sum = 0.0;
+  Resistance sum;
   for (const double height : heights) sum += resistance(a, motion, dx, smoothing, height);
-  return sum / static_cast<double>(heights.size());
+  const auto n = static_cast<double>(heights.size());
+  return {sum.scheme / n, sum.pairs / n};
 }
 
 struct Row {
-  std::vector<double> value;  // at each of the spacings
-  double wide = 0.0;          // at h = 2 dx
+  Motion motion;
+  const Arrangement* arrangement;
+  std::vector<Resistance> value;  // at each of the spacings
+  Resistance wide;                // at h = 2 dx
 };
+
+const char* key_of(Motion motion) {
+  switch (motion) {
+    case Motion::on_wall:
+      return "wall";
+    case Motion::inside:
+      return "inside";
+    case Motion::shear:
+      return "shear";
+    default:
+      return "wall_shear";
+  }
+}
+
+const char* name_of(Motion motion) {
+  switch (motion) {
+    case Motion::on_wall:
+      return "plug on a wall";
+    case Motion::inside:
+      return "slip plane inside";
+    case Motion::shear:
+      return "uniform shear inside";
+    default:
+      return "uniform shear on a wall";
+  }
+}
+
+void add_row(CaseRun& run, const Row& row) {
+  const Arrangement& a = *row.arrangement;
+  const std::string key = fmt::format("{}_{}", key_of(row.motion), a.key);
+  const std::string of = fmt::format("{}, {}", name_of(row.motion), a.name);
+  Measure m{
+      .key = key, .what = of + ": force per length over tau_y", .value = row.value.front().scheme};
+  if (row.motion == Motion::inside) {
+    m.lower = 0.9;
+    m.upper = 1.1;
+    m.reason = "a plane inside is blurred over the support and lies nowhere for long";
+    m.explanation =
+        "particles at the edge of the plane's reach are held at half the rate of their pairs; with "
+        "the gradient alone it is 1.03 (lattice sums)";
+  } else if (row.motion != Motion::shear_on_wall || (a.up == 0 && !a.settled)) {
+    m.lower = 0.95;
+    m.upper = 1.05;
+    m.reason = "a yield stress is known to 5 % at best";
+    m.explanation =
+        "the linear extension below the wall, without which uniform shear on it is wrong, lets the "
+        "second row see the slip again: 0.057 beside the first row's 1.000";
+  }
+  run.add(m);
+  if (row.motion == Motion::shear || row.motion == Motion::shear_on_wall) return;
+  run.add({.key = key + "_pairs",
+           .what = of + ", tau_y over the rate of the pairs as the viscosity",
+           .value = row.value.front().pairs});
+  if (!run.full()) return;
+  run.add({.key = key + "_wide", .what = of + ", h = 2 dx", .value = row.wide.scheme});
+}
 
 }  // namespace
 
 void slip_planes(CaseRun& run) {
   const std::vector<double> spacings =
       run.full() ? std::vector{0.01, 0.005, 0.0025} : std::vector{0.01};
-  constexpr double smoothing = 1.33;
-  struct Kind {
-    Motion motion;
-    const char *key, *name;
-  };
-  const std::vector<Kind> kinds{{Motion::on_wall, "wall", "plug on a wall"},
-                                {Motion::inside, "inside", "slip plane inside"},
-                                {Motion::shear, "shear", "uniform shear inside"},
-                                {Motion::shear_on_wall, "wall_shear", "uniform shear on a wall"}};
-  std::vector<Row> rows_of(kinds.size() * arrangements.size());
+  std::vector<Row> table;
+  for (const Motion motion :
+       {Motion::on_wall, Motion::inside, Motion::shear, Motion::shear_on_wall}) {
+    for (const Arrangement& a : arrangements) table.push_back({motion, &a, {}, {}});
+  }
   run.alone([&] {
-    for (std::size_t k = 0; k < rows_of.size(); ++k) {
-      const Kind& kind = kinds[k / arrangements.size()];
-      const Arrangement& a = arrangements[k % arrangements.size()];
+    for (Row& row : table) {
       for (const double dx : spacings) {
-        rows_of[k].value.push_back(mean_resistance(a, kind.motion, dx, smoothing));
+        row.value.push_back(mean_resistance(*row.arrangement, row.motion, dx, 1.33));
       }
-      if (run.full()) rows_of[k].wide = mean_resistance(a, kind.motion, spacings.front(), 2.0);
+      if (run.full()) row.wide = mean_resistance(*row.arrangement, row.motion, 0.01, 2.0);
     }
   });
   double largest = 0.0;
-  for (std::size_t k = 0; k < rows_of.size(); ++k) {
-    const Kind& kind = kinds[k / arrangements.size()];
-    const Arrangement& a = arrangements[k % arrangements.size()];
-    const Row& row = rows_of[k];
-    for (const double value : row.value) {
-      largest = std::max(largest, std::abs(value / row.value.front() - 1.0));
+  for (const Row& row : table) {
+    add_row(run, row);
+    for (const Resistance& r : row.value) {
+      largest = std::max(largest, std::abs(r.scheme / row.value.front().scheme - 1.0));
     }
-    const bool inside = kind.motion == Motion::inside;
-    run.add({.key = fmt::format("{}_{}", kind.key, a.key),
-             .what = fmt::format("{}, {}: force per length over tau_y", kind.name, a.name),
-             .value = row.value.front(),
-             .lower = inside ? 0.9 : 0.95,
-             .upper = inside ? 1.1 : 1.05,
-             .reason = inside ? "a slip plane inside is rare and lies nowhere for long"
-                              : "a yield stress is known to 5 % at best",
-             .explanation =
-                 "the arrangement of the particles beside the plane, where the factor of "
-                 "the viscous sum sees one side of it only (see the text)"});
-    if (!run.full()) continue;
-    run.add({.key = fmt::format("{}_{}_wide", kind.key, a.key),
-             .what = fmt::format("{}, {}, h = 2 dx", kind.name, a.name),
-             .value = row.wide});
   }
   if (!run.full()) return;
   run.add({.key = "spacings",

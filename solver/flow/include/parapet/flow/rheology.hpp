@@ -19,9 +19,8 @@ double apparent_viscosity(const Material& material, double shear_rate, double yi
 /// plug that slides would meet 1.5 to 1.8 tau_y. The modulus g of the gradient is linear in the
 /// velocity and sums to u. With the viscosity s tau_y/q, s = g/q, a particle dissipates tau_y g. In
 /// a smooth flow g falls short of q by curvature and disorder alone, and there is no jump to share:
-/// from g/q = 0.72 to 0.90 the fraction goes over to 1. Where walls are in reach it does not,
-/// because the rate beside a wall is that of one slope and only a slip along the wall tells g and q
-/// apart.
+/// from g/q = 0.72 to 0.90 the fraction goes over to 1. Where walls are in reach it
+/// does not; that, and both constants, were found by trial (docs/theory.md).
 /// @param pair_rate q [1/s]
 /// @param gradient_rate g = sqrt(2 S:S) of the renormalised gradient [1/s]
 /// @param wall_trace the walls' part of the trace of the tensor of Eq. 8 (2 for all neighbours)
