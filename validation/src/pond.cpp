@@ -52,9 +52,8 @@ void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
     held.reason = fmt::format("{}", "the formula without and with normal stresses");
     held.explanation = fmt::format(
         "{}",
-        "the excess sits upstream, where the layer stops at more than h_c because its "
-        "sheared part is thinner than a particle, and within one height of the stem, where "
-        "no thin layer is left");
+        "the excess sits upstream, where the layer stops at more than h_c (cause open: see the "
+        "text), and within one height of the stem, where no thin layer is left");
   }
   run.add(held);
   double sum = 0.0, upstream = 0.0, far = 0.0, near = 0.0;
@@ -108,8 +107,7 @@ void add_pond(CaseRun& run, const Pond& pond, const Outcome& o) {
            .lower = 0.0,
            .upper = 1.0,
            .reason = "a bed at rest carries no more than the yield stress",
-           .explanation = "beside a wall the yield stress comes out too large where the shear is "
-                          "all between the wall and the first row"});
+           .explanation = "a plug on a wall meets 1.06 tau_y (case slip_planes)"});
   run.add({.key = fmt::format("rest_{}", key),
            .what = fmt::format("largest speed at the end, {}", of),
            .value = 1e3 * o.speed,
