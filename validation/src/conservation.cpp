@@ -193,7 +193,11 @@ void add_frames(CaseRun& run, const std::vector<Track>& tracks) {
              .unit = "dx",
              .upper = 1e-6,
              .reason = "the equations do not depend on the frame; only rounding (1e-16) is left, "
-                       "which diverging paths amplify"});
+                       "which diverging paths amplify",
+             .explanation =
+                 "not explained; 1e-9 with Adami's mirrored velocity in the force of the "
+                 "walls, no less than 1e-6 without the yield fraction, or with conjugate "
+                 "gradients to 1e-6 m/s2"});
     run.add({.key = fmt::format("{}_center", frames[k].key),
              .what = of + fmt::format(": deviation of the centre of mass at {:.1f} s", frame_time),
              .value = d.center.back(),
