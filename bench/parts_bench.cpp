@@ -30,7 +30,8 @@ struct OwnRows {
       : setup(s.flow.setup()),
         h(s.flow.smoothing_length()),
         walls(solver::lay_out_walls(setup.solids, setup.numerics.spacing, 2.0 * h)),
-        rows(setup.solids, walls, 2.0 * h, setup.numerics.skin_ratio * h, 0.0),
+        rows(setup.solids, walls, 2.0 * h, setup.numerics.skin_ratio * h, setup.numerics.spacing,
+             0.0),
         fluid(s.flow.fluid()) {
     rows.build(fluid, 1);
   }

@@ -39,12 +39,15 @@ Flow::Flow(FlowSetup setup)
       passes_(setup_.passes ? *setup_.passes : best_passes()),
       walls_(lay_out_walls(setup_.solids, setup_.numerics.spacing, 2.0 * smoothing_length())),
       rows_(setup_.solids, walls_, 2.0 * smoothing_length(),
-            setup_.numerics.skin_ratio * smoothing_length(), setup_.periodic_length, &passes_),
+            setup_.numerics.skin_ratio * smoothing_length(), setup_.numerics.spacing,
+            setup_.periodic_length, &passes_),
       viscous_(std::make_unique<ViscousSolve>()),
       integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
                       ? make_rk4_explicit()
                       : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
       impulses_(at(setup_.n_barriers)) {
+  kernel_ = make_kernel(smoothing_length(), setup_.numerics.spacing);
+  kernel_.f_scale /= lattice_moment(kernel_, setup_.numerics.spacing);
   now_.sound_speed =
       setup_.start_sound_speed > 0.0 ? setup_.start_sound_speed : setup_.numerics.sound_speed;
   fluid_.assign(setup_.particles);

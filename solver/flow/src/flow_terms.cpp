@@ -22,6 +22,11 @@ constexpr double spray_stretch = 0.001;
 // c_s).
 constexpr double farthest_shift = 0.15;
 
+// Diffusivity of the masses over h u_max, the scale of the shifting (Eq. 9), whose exchange drives
+// them apart: in the tank of water with a barrier they deviate by 5.0 % after 10 s without it, by 2.9 %
+// with it. 0.2 leaves 2.4 %, and shortens the run-out of the thin slump by 1.4 %.
+constexpr double mass_levelling = 0.05;
+
 }  // namespace
 
 double Flow::smoothing_length() const {
@@ -44,7 +49,7 @@ void Flow::pack(void (Fluid::*records)(int, int)) {
 FlowArrays Flow::packed_arrays() {
   const Numerics& numerics = setup_.numerics;
   FlowConstants c;
-  c.kernel = make_kernel(smoothing_length(), numerics.spacing);
+  c.kernel = kernel_;
   c.smoothing_length = smoothing_length();
   c.sound_speed = now_.sound_speed;
   c.reference_density = setup_.material.density;
@@ -53,6 +58,8 @@ FlowArrays Flow::packed_arrays() {
   c.gravity_z = setup_.gravity.z;
   c.periodic_length = setup_.periodic_length;
   c.even_volume = numerics.spacing * numerics.spacing;
+  c.mass_diffusivity =
+      numerics.shifting_factor * mass_levelling * smoothing_length() * now_.max_speed;
   c.no_slip = setup_.wall_slip == WallSlip::no_slip;
   RowView rows = rows_.view();
   rows.begin = reached_begin_.data();

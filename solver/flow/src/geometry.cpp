@@ -105,6 +105,35 @@ int first_crossed(std::span<const Face> faces, std::span<const int> candidates, 
   return first;
 }
 
+bool hidden(std::span<const Face> faces, std::span<const int> candidates, Vec2 p, Vec2 q,
+            double corner) {
+  const Face *entered = nullptr, *left = nullptr;
+  Vec2 in, out;  // where
+  for (const int index : candidates) {
+    const Face& face = faces[static_cast<std::size_t>(index)];
+    const bool p_outside = dot(p - face.a, face.normal) > 0.0;
+    const bool q_outside = dot(q - face.a, face.normal) > 0.0;
+    if (p_outside == q_outside) continue;  // most pairs
+    const auto t = p_outside ? crossing(face, p, q) : crossing(face, q, p);
+    if (!t) continue;
+    if (corner <= 0.0 || (p_outside ? entered : left) != nullptr) return true;
+    if (p_outside) {
+      entered = &face;
+      in = p + *t * (q - p);
+    } else {
+      left = &face;
+      out = q + *t * (p - q);
+    }
+  }
+  if (!entered && !left) return false;
+  if (!entered || !left || entered->body != left->body) return true;
+  const auto same = [](Vec2 a, Vec2 b) { return a.x == b.x && a.z == b.z; };
+  const bool at_end = same(entered->b, left->a);
+  if (!at_end && !same(entered->a, left->b)) return true;
+  const Vec2 shared = at_end ? entered->b : entered->a;
+  return norm(in - shared) > corner || norm(out - shared) > corner;
+}
+
 bool inside_polygon(const std::vector<Vec2>& outline, Vec2 p) {
   bool inside = false;
   for (std::size_t k = 0, previous = outline.size() - 1; k < outline.size(); previous = k++) {

@@ -31,26 +31,16 @@ std::int32_t append(const std::array<std::vector<std::int32_t>, lanes>& rows, st
   return static_cast<std::int32_t>(lanes * longest);
 }
 
-bool blocked(const std::vector<Face>& faces, const std::vector<int>& near, Vec2 p, Vec2 q) {
-  for (const int f : near) {
-    const Face& face = faces[at(f)];
-    const bool p_outside = dot(p - face.a, face.normal) > 0.0;
-    const bool q_outside = dot(q - face.a, face.normal) > 0.0;
-    if (p_outside == q_outside) continue;  // most pairs
-    if (p_outside ? crossing(face, p, q) : crossing(face, q, p)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 NeighborRows::NeighborRows(const Solids& solids, const WallPoints& walls, double reach, double skin,
-                           double periodic_length, const PassTable* passes)
+                           double spacing, double periodic_length, const PassTable* passes)
     : solids_(solids),
       walls_(walls),
       passes_(passes ? *passes : best_passes()),
       reach_(reach),
       skin_(skin),
+      spacing_(spacing),
       periodic_length_(periodic_length),
       wall_cells_(solids, walls, reach + skin) {}
 
@@ -85,11 +75,11 @@ void NeighborRows::add_fluid_neighbors(const Fluid& fluid, int i, const std::vec
         out.data() + first);
     out.resize(first + at(count));
     if (!bodies_near) continue;
-    const auto hidden = [&](std::int32_t j) {
-      return blocked(solids_.faces, faces, p, p - offset(j));
+    const auto out_of_sight = [&](std::int32_t j) {
+      return hidden(solids_.faces, faces, p, p - offset(j), spacing_);
     };
     const auto column = out.begin() + static_cast<std::ptrdiff_t>(first);
-    out.erase(std::remove_if(column, out.end(), hidden), out.end());
+    out.erase(std::remove_if(column, out.end(), out_of_sight), out.end());
   }
 }
 

@@ -26,7 +26,7 @@ double yield_fraction(double pair_rate, double gradient_rate, double wall_trace)
 }
 
 double viscous_quadrature(double pp, double pq, double qq, double a, double b) {
-  constexpr double full_support = 0.97;  // smallest (P + Q)/2 of a complete neighbourhood
+  constexpr double full_support = 0.99;  // smallest (P + Q)/2 of a complete neighbourhood
   const double support = 0.5 * (pp + qq);
   const double strain2 = a * a + b * b + 1e-12;  // at rest: the isotropic value [1/s2]
   const double discrete = a * a * pp + 2.0 * a * b * pq + b * b * qq + 1e-12 * support;

@@ -59,6 +59,60 @@ TEST(Barriers, OutlineKeepsHeightLengthAndThickness) {
   }
 }
 
+// Clockwise outlines around (0, 0), their upper corner; looked at from left to right.
+std::vector<Vec2> wedge(double half_angle) {
+  return {{-std::tan(half_angle), -1.0}, {0.0, 0.0}, {std::tan(half_angle), -1.0}};
+}
+
+TEST(Hidden, ACornerHidesNothingCloseBehindIt) {
+  Solids solids;
+  add_outline(solids, wedge(45.0 * degree), -1, false);
+  const std::vector<int> all{0, 1, 2};
+  const auto across = [&](double depth, double corner) {
+    const Vec2 p{-0.5, -depth}, q{0.5, -depth};  // 1.41 depth from the corner along either face
+    const bool one = hidden(solids.faces, all, p, q, corner);
+    EXPECT_EQ(one, hidden(solids.faces, all, q, p, corner));
+    return one;
+  };
+  EXPECT_FALSE(across(-0.01, 0.1));
+  EXPECT_FALSE(across(0.07, 0.1));
+  EXPECT_TRUE(across(0.072, 0.1));
+  EXPECT_TRUE(across(0.001, 0.0));
+  // of a place behind the face and one inside the fluid nothing is seen
+  EXPECT_TRUE(hidden(solids.faces, all, {-0.5, -0.05}, {0.0, -0.05}, 0.1));
+}
+
+TEST(Hidden, AThinWedgeIsSeenAroundAtItsTipOnly) {
+  Solids solids;
+  add_outline(solids, wedge(1.0 * degree), -1, false);
+  const std::vector<int> all{0, 1, 2};
+  EXPECT_FALSE(hidden(solids.faces, all, {-0.05, -0.09}, {0.05, -0.09}, 0.1));
+  EXPECT_TRUE(hidden(solids.faces, all, {-0.05, -0.11}, {0.05, -0.11}, 0.1));
+}
+
+TEST(Hidden, APlateIsSeenAroundByNobodyHoweverThin) {
+  for (const double thickness : {2e-9, 1e-4, 0.05}) {
+    Solids solids;
+    add_outline(solids, {{0.0, -1.0}, {0.0, 0.0}, {thickness, 0.0}, {thickness, -1.0}}, -1, true);
+    ASSERT_EQ(solids.faces.size(), 3u);
+    const std::vector<int> all{0, 1, 2};
+    // through front and back, which share no corner
+    EXPECT_TRUE(hidden(solids.faces, all, {-0.05, -0.01}, {thickness + 0.05, -0.01}, 0.1));
+    // through front and top, which do
+    EXPECT_FALSE(hidden(solids.faces, all, {-0.01, -0.01}, {0.5 * thickness, 0.01}, 0.1));
+  }
+}
+
+TEST(Hidden, TwoBodiesThatTouchHideAsOne) {
+  Solids solids;
+  add_outline(solids, {{-1.0, -1.0}, {-1.0, 0.0}, {0.0, 0.0}, {0.0, -1.0}}, -1, true);
+  add_outline(solids, {{0.0, -1.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, -1.0}}, -1, true);
+  std::vector<int> all;
+  for (int f = 0; f < static_cast<int>(solids.faces.size()); ++f) all.push_back(f);
+  EXPECT_TRUE(hidden(solids.faces, all, {-1.01, -0.01}, {1.01, -0.01}, 0.1));
+  EXPECT_FALSE(hidden(solids.faces, all, {-1.01, -0.01}, {-0.98, 0.02}, 0.1));
+}
+
 TEST(Faces, NormalsOfABarrierPointIntoTheFluid) {
   const Scene scene;
   Solids solids;

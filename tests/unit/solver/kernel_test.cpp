@@ -41,5 +41,18 @@ TEST(Kernel, FIsTheDerivativeOverR) {
   }
 }
 
+// Against sums by hand: the four neighbours at dx and the four at sqrt(2) dx are all within 2h
+// = 1.6 dx.
+TEST(Kernel, LatticeMomentIsWhatTheSumHasOfALinearField) {
+  const double dx = 0.01, h = 0.8 * dx;
+  const Kernel k = make_kernel(h, dx);
+  const auto f = [&](double r) { return -k.f_scale * std::pow(1.0 - 0.5 * r / h, 3.0); };
+  const double slope = (2.0 * f(dx) + 4.0 * f(std::sqrt(2.0) * dx)) * dx * dx;  // F x^2
+  EXPECT_NEAR(lattice_moment(k, dx), -slope * dx * dx, 1e-12);
+  EXPECT_NEAR(lattice_moment(make_kernel(1.33 * dx, dx), dx), 0.9793, 5e-5);
+  // towards the integral, with the fifth power of dx/h
+  EXPECT_NEAR(lattice_moment(make_kernel(8.0 * dx, dx), dx), 1.0, 1e-5);
+}
+
 }  // namespace
 }  // namespace parapet::solver

@@ -46,7 +46,7 @@ TEST(NeighborRows, HoldEveryPairWithinTheReachAndNoneTwice) {
   fluid.assign(particles);
   const Solids none;
   const WallPoints no_walls;
-  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.0);
+  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.01, 0.0);
   rows.build(fluid, 1);
   const RowView view = rows.view();
   for (int i = 0; i < fluid.n; ++i) {
@@ -86,7 +86,7 @@ TEST(NeighborRows, EmptySpaceBetweenTheParticlesCostsNothing) {
   fluid.assign(particles);
   const Solids none;
   const WallPoints no_walls;
-  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.0);
+  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.01, 0.0);
   rows.build(fluid, 2);
   for (int i = 0; i < fluid.n; ++i) {
     EXPECT_EQ(fluid_row(rows.view(), i, fluid.n), expected_row(fluid, i, 0.024, 0.0));
@@ -106,7 +106,7 @@ TEST(NeighborRows, SeeThroughThePeriodicEnds) {
     fluid.assign(particles);
     const Solids none;
     const WallPoints no_walls;
-    NeighborRows rows(none, no_walls, 0.02, 0.004, period);
+    NeighborRows rows(none, no_walls, 0.02, 0.004, 0.01, period);
     rows.build(fluid, 1);
     for (int i = 0; i < fluid.n; ++i) {
       EXPECT_EQ(fluid_row(rows.view(), i, fluid.n), expected_row(fluid, i, 0.024, period));
@@ -159,7 +159,7 @@ TEST(NeighborRows, AreOutdatedBeforeAPairCanComeIntoReach) {
   fluid.assign(pair);
   const Solids none;
   const WallPoints no_walls;
-  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.0);
+  NeighborRows rows(none, no_walls, 0.02, 0.004, 0.01, 0.0);
   rows.build(fluid, 1);
   fluid.x[1] -= 0.0039;
   EXPECT_FALSE(rows.outdated(fluid));
@@ -172,7 +172,7 @@ TEST(NeighborRows, UniformMotionAloneDoesNotOutdateThem) {
   fluid.assign(lattice_block(0.0, 0.0, 0.1, 0.1, 0.01, 1000.0));
   const Solids none;
   const WallPoints no_walls;
-  NeighborRows rows(none, no_walls, 0.0266, 0.003, 0.0);
+  NeighborRows rows(none, no_walls, 0.0266, 0.003, 0.01, 0.0);
   rows.build(fluid, 1);
   for (double& x : fluid.x) x += 0.014;  // less than half a cell of 29.6 mm
   EXPECT_FALSE(rows.outdated(fluid));
@@ -187,7 +187,7 @@ TEST(NeighborRows, AreOutdatedBeforeSeparateClumpsMeet) {
   fluid.assign(particles);
   const Solids none;
   const WallPoints no_walls;
-  NeighborRows rows(none, no_walls, 0.0266, 0.003, 0.0);
+  NeighborRows rows(none, no_walls, 0.0266, 0.003, 0.01, 0.0);
   rows.build(fluid, 1);
   double gap = 0.10;
   while (!rows.outdated(fluid)) {
@@ -207,7 +207,7 @@ TEST(NeighborRows, AreOutdatedBeforeAFallingBlockReachesTheBed) {
   Fluid fluid;
   fluid.assign(lattice_block(1.0, 0.3, 0.1, 0.1, 0.01, 1000.0));
   const WallPoints walls = lay_out_walls(setup.solids, 0.01, 0.0266);
-  NeighborRows rows(setup.solids, walls, 0.0266, 0.003, 0.0);
+  NeighborRows rows(setup.solids, walls, 0.0266, 0.003, 0.01, 0.0);
   rows.build(fluid, 1);
   double height = 0.305;
   while (height > 0.02) {
@@ -245,7 +245,7 @@ TEST_P(ThinPlate, NothingReachesThroughIt) {
   Fluid fluid;
   fluid.assign(particles);
   const WallPoints walls = lay_out_walls(setup.solids, dx, 2.0 * h);
-  NeighborRows rows(setup.solids, walls, 2.0 * h, 0.25 * h, 0.0);
+  NeighborRows rows(setup.solids, walls, 2.0 * h, 0.25 * h, dx, 0.0);
   rows.build(fluid, 1);
   const RowView view = rows.view();
   for (int i = 0; i < fluid.n; ++i) {
@@ -279,7 +279,7 @@ TEST_P(ThinPlate, EverySideFeelsACompleteWall) {
   Fluid fluid;
   fluid.assign(lattice_block(0.5 - 8 * dx, 0, 8 * dx, 0.3, dx, 1000));
   const WallPoints walls = lay_out_walls(setup.solids, dx, 2.0 * h);
-  NeighborRows rows(setup.solids, walls, 2.0 * h, 0.25 * h, 0.0);
+  NeighborRows rows(setup.solids, walls, 2.0 * h, 0.25 * h, dx, 0.0);
   rows.build(fluid, 1);
   const Kernel kernel = make_kernel(h, dx);
   const RowView view = rows.view();

@@ -67,13 +67,13 @@ TEST(Quadrature, IsOneForAnIsotropicCompleteNeighbourhood) {
 }
 
 TEST(Quadrature, MakesUpForRowsThatShearAlongEachOther) {
-  // P = 1.14, Q = 0.82: simple shear (a = 0) sees Q alone, extension (b = 0) sees P alone
-  EXPECT_NEAR(viscous_quadrature(1.14, 0.0, 0.82, 0.0, 1.0), 1.0 / 0.82, 1e-9);
-  EXPECT_NEAR(viscous_quadrature(1.14, 0.0, 0.82, 1.0, 0.0), 1.0 / 1.14, 1e-9);
+  // P = 1.16, Q = 0.84, a square lattice of h = 1.33 dx: simple shear (a = 0) sees Q alone, extension (b = 0) sees P alone
+  EXPECT_NEAR(viscous_quadrature(1.16, 0.0, 0.84, 0.0, 1.0), 1.0 / 0.84, 1e-9);
+  EXPECT_NEAR(viscous_quadrature(1.16, 0.0, 0.84, 1.0, 0.0), 1.0 / 1.16, 1e-9);
 }
 
 TEST(Quadrature, DoesNotRefillACutOffSupport) {
-  // half a neighbourhood, isotropic: the factor must stay near 0.5/0.97 x 2 = 1.03, not 2
+  // half a neighbourhood, isotropic: the factor must stay near 0.5/0.99 x 2 = 1.01, not 2
   EXPECT_LT(viscous_quadrature(0.5, 0.0, 0.5, 0.0, 1.0), 1.05);
 }
 

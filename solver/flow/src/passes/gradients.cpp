@@ -14,9 +14,10 @@ struct Moments {
   v8d approach2;
 };
 
-// One vector of neighbours: gradient fv * r, velocity difference (du, dw) = u_j - u_i.
+// One vector of neighbours: gradient fv * r, velocity difference (du, dw) = u_j - u_i. `count`: how
+// many particles a neighbour stands for in Eq. 9.
 PARAPET_INLINE void add(const FlowConstants& c, Moments& m, const PairGeometry& g, v8d volume,
-                        v8d du, v8d dw) {
+                        v8d count, v8d du, v8d dw) {
   const v8d fv = g.f * volume;
   const v8d gx = fv * g.rx;
   const v8d gz = fv * g.rz;
@@ -27,7 +28,7 @@ PARAPET_INLINE void add(const FlowConstants& c, Moments& m, const PairGeometry& 
   const v8d ratio2 = ratio * ratio;
   const v8d weight = splat(1.0) + splat(0.2) * (ratio2 * ratio2);  // R = 0.2, n = 4
   // Without V_j: particles are to be evenly spaced whatever mass they have come to carry.
-  const v8d even = weight * g.f;
+  const v8d even = count * weight * g.f;
   m.sx += even * g.rx;
   m.sz += even * g.rz;
   m.ux += du * gx;
@@ -66,7 +67,7 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
       const auto state = gather(f.state, j);
       const PairGeometry g = pair_geometry<periodic>(c, x, z, motion.x, motion.z);
       const v8d volume = state.volume, du = motion.u - ui, dw = motion.w - wi;
-      add(c, m, g, volume, du, dw);
+      add(c, m, g, volume, splat(1.0), du, dw);
       add_fourth_moments(c, m, g, volume, du, dw);
       const v8d drho = (state.density - rho_i) * (g.f * volume);
       rho_x += drho * g.rx;
@@ -90,7 +91,7 @@ void sums_of(const FlowArrays& a, const GradientSums& out, int begin, int end) {
         dw = (face.w - wi) * ratio;
       }
       const v8d volume = place.volume;
-      add(c, m, g, volume, du, dw);
+      add(c, m, g, volume, volume * splat(1.0 / c.even_volume), du, dw);
       if (c.no_slip) add_fourth_moments(c, m, g, volume, du, dw);
     }
     sums.store(out.bxx, m.bxx);

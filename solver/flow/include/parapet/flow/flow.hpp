@@ -185,6 +185,7 @@ class Flow {
 
   FlowSetup setup_;
   const PassTable& passes_;
+  Kernel kernel_;  // its gradient is exact on a square lattice
   WallPoints walls_;
   std::vector<double> load_x_, load_z_;  // [n_active]
   int first_barrier_point_ = 0;

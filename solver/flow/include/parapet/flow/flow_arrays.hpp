@@ -91,6 +91,7 @@ struct FlowConstants {
   double gravity_x, gravity_z;  ///< [m/s2]
   double periodic_length;       ///< of the domain along x [m]; 0 when not periodic
   double even_volume;           ///< V_j of Eq. 9: dx^2 [m2]
+  double mass_diffusivity;      ///< between particles of unequal masses [m2/s]
   bool no_slip;
 };
 

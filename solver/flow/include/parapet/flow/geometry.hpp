@@ -50,6 +50,14 @@ std::optional<double> crossing(const Face& face, Vec2 p, Vec2 q);
 /// -1 for none.
 int first_crossed(std::span<const Face> faces, std::span<const int> candidates, Vec2 p, Vec2 q);
 
+/// Whether a solid stands between two places in the fluid. A corner of a body hides nothing close
+/// behind it: where the line enters through one face, leaves through the next one of the outline
+/// and is never farther than `corner` [m] from the corner that they share, the places see each
+/// other. Else the support of a particle beside a corner has a hole there, with neither fluid nor
+/// wall. The same for p and q exchanged, to the bit.
+bool hidden(std::span<const Face> faces, std::span<const int> candidates, Vec2 p, Vec2 q,
+            double corner);
+
 /// Whether p lies inside a closed polygon, whichever way round.
 bool inside_polygon(const std::vector<Vec2>& outline, Vec2 p);
 

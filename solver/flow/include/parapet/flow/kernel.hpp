@@ -3,6 +3,7 @@
 /// which needs no division and is finite at r = 0.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 namespace parapet::solver {
@@ -30,6 +31,22 @@ inline Kernel make_kernel(double smoothing_length, double spacing) {
   const double h = smoothing_length;
   const double alpha = 7.0 / (4.0 * std::numbers::pi * h * h);
   return {1.0 / h, alpha, 5.0 * alpha / (h * h), alpha * kernel_shape(spacing / h)};
+}
+
+/// -(1/2) sum F r^2 dx^2 over the square lattice: what the sums have of the gradient of a linear
+/// field there, 0.979 at h = 1.33 dx whatever the spacing.
+inline double lattice_moment(const Kernel& kernel, double spacing) {
+  const double to_q = spacing * kernel.inverse_h;
+  const int rows = static_cast<int>(2.0 / to_q);
+  double sum = 0.0;
+  for (int i = -rows; i <= rows; ++i) {
+    for (int k = -rows; k <= rows; ++k) {
+      const double r2 = i * i + k * k;  // [dx2]
+      const double t = 1.0 - 0.5 * to_q * std::sqrt(r2);
+      if (t > 0.0) sum += 0.5 * kernel.f_scale * t * t * t * r2;
+    }
+  }
+  return sum * spacing * spacing * spacing * spacing;
 }
 
 }  // namespace parapet::solver

@@ -19,10 +19,11 @@ class NeighborRows {
   /// Solids and walls are kept by reference.
   /// @param reach kernel support 2h [m]
   /// @param skin extra reach of the rows [m]
+  /// @param spacing dx [m]: so near a corner of a body the fluid sees around it; 0: never
   /// @param periodic_length along x from 0 [m]; 0 when not periodic
   /// @param passes the instruction set; nullptr: the fastest
   NeighborRows(const Solids& solids, const WallPoints& walls, double reach, double skin,
-               double periodic_length, const PassTable* passes = nullptr);
+               double spacing, double periodic_length, const PassTable* passes = nullptr);
 
   /// True when a pair outside the rows may have come within the reach.
   bool outdated(const Fluid& fluid) const;
@@ -89,7 +90,7 @@ class NeighborRows {
   const Solids& solids_;
   const WallPoints& walls_;
   const PassTable& passes_;
-  double reach_, skin_, periodic_length_;
+  double reach_, skin_, spacing_, periodic_length_;
   bool valid_ = false;
 
   WallCells wall_cells_;
