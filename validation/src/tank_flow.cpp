@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -25,29 +26,48 @@ namespace {
 constexpr double gravity = 9.81;  // [m/s2]
 constexpr double wall_top = 0.5;  // of the side walls [m]
 
-// Hydrostatics of a tank with the fluid's compressibility.
+// Hydrostatics of a tank with the fluid's compressibility. A barrier that pierces the surface makes
+// two basins of it.
 class Hydrostatics {
  public:
-  // The surface follows from the mass that is in the tank.
+  // The surfaces follow from the mass that is in each basin.
   Hydrostatics(const Tank& tank, const FlowSetup& setup);
 
   double height(Vec2 p) const { return dot(up_, p); }
-  double pressure(Vec2 p) const { return pressure_at(surface_ - height(p)); }
-  double surface() const { return surface_; }
-  double depth() const { return surface_ - bottom_; }
+  double pressure(Vec2 p) const { return pressure_at(surface_[basin(p)] - height(p)); }
+  double depth() const { return std::max(surface_[0], surface_[1]) - bottom_; }
   double mass_center() const { return mass_center_; }  // height of it
   // Of the fluid on a face.
   Vec2 force(const solver::Face& face) const;
 
  private:
+  // 1: beyond the stem or above the deflector of a barrier that divides the tank.
+  std::size_t basin(Vec2 p) const {
+    if (!divided_) return 0;
+    const bool beside_stem = height(p) < height(crest_);
+    return dot(p - crest_, beside_stem ? downstream_ : upper_) > 0.0 ? 1 : 0;
+  }
   // dp/dz = -(rho_0 + p/c2) g
   double pressure_at(double depth) const {
     return depth > 0.0 ? rho_0_ * c2_ * std::expm1(gravity * depth / c2_) : 0.0;
   }
 
   Vec2 up_;
-  double rho_0_, c2_, surface_ = 0.0, bottom_ = 0.0, mass_center_ = 0.0;
+  double rho_0_, c2_, bottom_ = 0.0, mass_center_ = 0.0;
+  bool divided_ = false;
+  Vec2 crest_, downstream_, upper_;  // of the barrier, and where its faces beyond look to
+  std::array<double, 2> surface_;    // heights
 };
+
+// The barrier of the tilted tank: 100 mm with a 45 deg deflector, as in the channel.
+Scene barrier_scene() {
+  Scene scene;
+  solver::Barrier barrier;
+  barrier.foot_x = 0.22;
+  barrier.deflector = solver::Deflector{.angle = std::numbers::pi / 4.0, .length = 0.065};
+  scene.barriers = {barrier};
+  return scene;
+}
 
 bool in_tank(const Tank& tank, const solver::Solids& solids, Vec2 p) {
   if (p.x <= 0.0 || p.x >= tank.length || p.z <= 0.0) return false;
@@ -63,46 +83,53 @@ Hydrostatics::Hydrostatics(const Tank& tank, const FlowSetup& setup)
       c2_(setup.numerics.sound_speed * setup.numerics.sound_speed) {
   constexpr double cell = 1e-3;  // [m]
   bottom_ = height({tank.length, 0.0});
-  std::vector<double> heights;
+  if (tank.barrier) {
+    const Scene scene = barrier_scene();
+    const solver::Barrier& barrier = scene.barriers.front();
+    const Vec2 stem = stem_direction(scene, barrier);
+    const Vec2 plate = deflector_direction(scene, *barrier.deflector);
+    crest_ = Vec2{barrier.foot_x, 0.0} + barrier.height * stem;
+    downstream_ = {stem.z, -stem.x};
+    upper_ = {plate.z, -plate.x};
+    divided_ = height(crest_ + barrier.deflector->length * plate) > tank.surface;
+  }
+  std::array<std::vector<double>, 2> heights;
   for (double x = 0.5 * cell; x < tank.length; x += cell) {
     for (double z = 0.5 * cell; z < wall_top; z += cell) {
-      if (in_tank(tank, setup.solids, {x, z})) heights.push_back(height({x, z}));
+      const Vec2 p{x, z};
+      if (in_tank(tank, setup.solids, p)) heights[basin(p)].push_back(height(p));
     }
   }
-  double mass = 0.0;
-  for (const solver::InitialParticle& p : setup.particles) mass += p.mass;
-  double low = bottom_, high = wall_top;
-  for (int k = 0; k < 40; ++k) {
-    surface_ = 0.5 * (low + high);
-    double sum = 0.0, moment = 0.0;
-    for (const double h : heights) {
-      if (h > surface_) continue;
-      const double m = cell * cell * (rho_0_ + pressure_at(surface_ - h) / c2_);
-      sum += m;
-      moment += m * h;
+  std::array<double, 2> mass{};
+  for (const solver::InitialParticle& p : setup.particles) mass[basin({p.x, p.z})] += p.mass;
+  double all_moment = 0.0;
+  for (std::size_t b = 0; b < mass.size(); ++b) {
+    double low = bottom_, high = wall_top, moment = 0.0;
+    for (int k = 0; k < 40; ++k) {
+      surface_[b] = 0.5 * (low + high);
+      double sum = 0.0;
+      moment = 0.0;
+      for (const double h : heights[b]) {
+        if (h > surface_[b]) continue;
+        const double m = cell * cell * (rho_0_ + pressure_at(surface_[b] - h) / c2_);
+        sum += m;
+        moment += m * h;
+      }
+      (sum < mass[b] ? low : high) = surface_[b];
     }
-    mass_center_ = moment / sum;
-    (sum < mass ? low : high) = surface_;
+    all_moment += moment;
   }
+  mass_center_ = all_moment / (mass[0] + mass[1]);
 }
 
 Vec2 Hydrostatics::force(const solver::Face& face) const {
   constexpr int parts = 2000;
   double sum = 0.0;
   for (int k = 0; k < parts; ++k) {
-    sum += pressure(face.a + ((k + 0.5) / parts * face.length) * face.tangent);
+    sum += pressure(face.a + ((k + 0.5) / parts * face.length) * face.tangent +
+                    1e-6 * face.normal);  // in the basin that the face looks into
   }
   return (-sum * face.length / parts) * face.normal;
-}
-
-// The barrier of the tilted tank: 100 mm with a 45 deg deflector, as in the channel.
-Scene barrier_scene() {
-  Scene scene;
-  solver::Barrier barrier;
-  barrier.foot_x = 0.22;
-  barrier.deflector = solver::Deflector{.angle = std::numbers::pi / 4.0, .length = 0.065};
-  scene.barriers = {barrier};
-  return scene;
 }
 
 FlowSetup tank_setup(const Tank& tank) {

@@ -105,12 +105,14 @@ std::vector<std::string> caveats(const LoadedStudy& study, const DesignReport* b
   list.push_back(
       "The model is two-dimensional (a slice per metre width): flow around the barrier's "
       "ends, side walls and uneven beds are not in it.");
+  list.push_back(
+      "The model is not validated against measured debris flows: its measured cases are of water, "
+      "those of debris are exact answers and the simulations of a paper.");
   add_scatter(list, study, best);
   if (uses_loads(study.spec)) {
     list.push_back(
         "A force or moment decides here. Peak loads scatter far more than volumes, by tens of per "
-        "cent between nearly equal designs at coarse spacings, and have not been validated against "
-        "measurements.");
+        "cent between nearly equal designs at coarse spacings.");
   }
   const bool scenarios = std::ranges::any_of(
       study.designs, [](const EvaluationRecord& design) { return design.scenarios.size() > 1; });
