@@ -9,7 +9,8 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double lambda_interior = 0.90;  // Eq. 10: above it the edge of the fluid is out of reach
+constexpr double lambda_interior =
+    0.90 / paper_lattice_sum;  // Eq. 10: above it no edge is in reach
 
 // Below this the tensor says too little about the neighbourhood to be inverted: a lone pair or a
 // thread of particles has an eigenvalue near zero.

@@ -8,9 +8,13 @@
 
 namespace parapet::solver {
 
+/// The limits of Eq. 10 are for plain sums, which on a lattice of the paper's h = 1.33 dx have this
+/// smallest eigenvalue. The flow's kernel gives 1 there (lattice_moment).
+constexpr double paper_lattice_sum = 0.979;
+
 /// Eq. 10: with a smallest eigenvalue below this a particle has come off the fluid.
 constexpr bool is_spray(double lambda) {
-  return lambda < 0.55;
+  return lambda < 0.55 / paper_lattice_sum;
 }
 
 /// Trace of that tensor: 2 in the fluid, 0.2 for a lone pair at the particle spacing. Below this no
