@@ -71,7 +71,7 @@ int main(int argc, char** argv) try {
 
   // The columns are metrics; docs/metrics.md says what each of them means.
   const std::array columns{"retention_efficiency", "launch_length_m",
-                           "barrier_1_peak_force_n_per_m"};
+                           "barrier_1_design_force_n_per_m"};
   std::printf("%-10s", "angle_deg");
   for (const char* column : columns) std::printf(" %30s", column);
   std::printf("\n");

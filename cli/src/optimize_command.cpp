@@ -28,7 +28,11 @@ std::string front_text(int designs, double hypervolume) {
 std::string outcome_text(const records::EvaluationRecord& record) {
   if (!record.ok) return "failed: " + record.reason;
   const std::string violated = violated_text(record);
-  return objectives_text(record) + (violated.empty() ? "" : ", not feasible: " + violated);
+  std::string warned;
+  for (const solver::Warning& warning : record.warnings) {
+    warned += (warned.empty() ? "; warns of " : ", ") + warning.key;
+  }
+  return objectives_text(record) + (violated.empty() ? "" : ", not feasible: " + violated) + warned;
 }
 
 /// "0007 (search, 5 mm)".

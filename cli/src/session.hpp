@@ -36,6 +36,7 @@ void add_recommend(CLI::App& app, Session& session);
 void add_validate(CLI::App& app, Session& session);       ///< of `parapet-validate`
 void add_validate_call(CLI::App& app, Session& session);  ///< executes `parapet-validate`
 void add_check(CLI::App& app, Session& session);
+void add_approach(CLI::App& app, Session& session);
 void add_verify(CLI::App& app, Session& session);
 
 }  // namespace parapet::cli

@@ -180,11 +180,11 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   write_result(session, spec, result, threads, folder);
   writing([&] { recorder->finish(session); });
   records::ChecksumList(folder).write();
-  session.out->print("{}: {}, {} at {:.3f} s of flow, {} steps in {}\n{}results: {}\n", spec.name,
+  session.out->print("{}: {}, {} at {:.3f} s of flow, {} steps in {}\n{}{}results: {}\n", spec.name,
                      solver::to_string(result.status), solver::to_string(result.stop_reason),
                      result.stop_time, result.statistics.steps,
                      duration_text(result.statistics.wall_time), metrics_text(result.metrics),
-                     folder.string());
+                     warnings_text(result.warnings), folder.string());
   if (result.profile) session.out->print("{}", profile_text(*result.profile, result.statistics));
   if (result.status == solver::Status::ok) return exit_done;
   session.log->error("the run failed: {}", result.reason);

@@ -34,6 +34,14 @@ std::string metrics_text(const std::vector<solver::Metric>& metrics) {
   return text;
 }
 
+std::string warnings_text(const std::vector<solver::Warning>& warnings) {
+  std::string text;
+  for (const solver::Warning& warning : warnings) {
+    text += fmt::format("  warning: {}\n", designs::visible_text(warning.text));
+  }
+  return text;
+}
+
 namespace {
 
 /// A variable's value; an option by its name.
@@ -134,7 +142,7 @@ std::string record_text(const records::EvaluationRecord& record) {
                     state_text(constraint),
                     constraint.margin ? fmt::format(" (margin {:.4g})", *constraint.margin) : "");
   }
-  return text;
+  return text + warnings_text(record.warnings);
 }
 
 }  // namespace parapet::cli

@@ -11,6 +11,9 @@ namespace parapet::cli {
 /// One line per metric, aligned; where a value is absent, the reason.
 std::string metrics_text(const std::vector<solver::Metric>& metrics);
 
+/// One line per warning; empty without any.
+std::string warnings_text(const std::vector<solver::Warning>& warnings);
+
 /// "deflector_angle_deg 45, upstream_height_m 0.1".
 std::string design_text(const designs::Design& design);
 

@@ -94,6 +94,10 @@ void check_run(const solver::RunOptions& run, Findings& findings) {
     findings.add("/run/series_interval_s", "is longer than the run",
                  "at most /run/stop_time_s, " + rounded(run.stop_time) + " [s]");
   }
+  if (run.reading_time > run.stop_time) {
+    findings.add("/run/reading_time_s", "is after the end of the run",
+                 "at most /run/stop_time_s, " + rounded(run.stop_time) + " [s]");
+  }
   if (run.settled.enabled && run.settled.window < run.series_interval) {
     findings.add("/run/settled/window_s", "is shorter than the interval of the time series",
                  "at least /run/series_interval_s, " + rounded(run.series_interval) + " [s]");

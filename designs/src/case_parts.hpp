@@ -37,6 +37,10 @@ CaseAttempt try_case(SchemaNode schema, const Json& json, const std::string& fil
 /// Writes the defaults out. Precondition: schema and keys are sound.
 Json resolve_case(SchemaNode schema, const Json& json);
 
+/// Multiplies the defaults that belong to the size of the event, where they were not given.
+/// @param given the case as written  @param resolved the same with_defaults
+void scale_defaults(SchemaNode schema, const Json& given, Json& resolved);
+
 /// Scene, numerics and options of a resolved case.
 solver::Scene read_scene(const Json& resolved);
 solver::Numerics read_numerics(const Json& resolved, const solver::Scene& scene);

@@ -113,12 +113,50 @@ solver::Numerics read_numerics(const Json& resolved, const solver::Scene& scene)
   return numerics;
 }
 
+namespace {
+
+solver::GaugeSettings read_gauges(const Json& json) {
+  solver::GaugeSettings gauges;
+  gauges.event_length = number(json, "event_length_m");
+  gauges.front_mass_share = number(json, "front_mass_share");
+  gauges.front_base_ratio = number(json, "front_base_ratio");
+  gauges.front_clearance_ratio = number(json, "front_clearance_ratio");
+  gauges.depth_window_ratio = number(json, "depth_window_ratio");
+  gauges.energy_window_ratio = number(json, "energy_window_ratio");
+  gauges.first_peak_time_ratio = number(json, "first_peak_time_ratio");
+  gauges.arrival_mass_share = number(json, "arrival_mass_share");
+  gauges.arrival_window_ratio = number(json, "arrival_window_ratio");
+  gauges.run_up_mass_share = number(json, "run_up_mass_share");
+  gauges.run_up_window_ratio = number(json, "run_up_window_ratio");
+  gauges.impact_mass_share = number(json, "impact_mass_share");
+  gauges.launch_mass_share = number(json, "launch_mass_share");
+  gauges.landing_height_ratio = number(json, "landing_height_ratio");
+  gauges.approach_height_ratio = number(json, "approach_height_ratio");
+  gauges.discharge_time_ratio = number(json, "discharge_time_ratio");
+  gauges.rest_speed_ratio = number(json, "rest_speed_ratio");
+  gauges.dead_zone_window_ratio = number(json, "dead_zone_window_ratio");
+  gauges.dead_zone_depth_factor = number(json, "dead_zone_depth_factor");
+  gauges.dead_zone_least_depth_ratio = number(json, "dead_zone_least_depth_ratio");
+  gauges.dead_zone_most_depth_ratio = number(json, "dead_zone_most_depth_ratio");
+  gauges.design_load_time_ratio = number(json, "design_load_time_ratio");
+  gauges.short_load_time_ratio = number(json, "short_load_time_ratio");
+  gauges.slam_time_ratio = number(json, "slam_time_ratio");
+  gauges.impulse_time_ratio = number(json, "impulse_time_ratio");
+  gauges.ramp_near_ratio = number(json, "ramp_near_ratio");
+  gauges.ramp_far_ratio = number(json, "ramp_far_ratio");
+  gauges.ramp_column_ratio = number(json, "ramp_column_ratio");
+  return gauges;
+}
+
+}  // namespace
+
 solver::RunOptions read_run(const Json& resolved) {
   const Json& json = resolved.at("run");
   solver::RunOptions run;
   run.stop_time = number(json, "stop_time_s");
   run.series_interval = number(json, "series_interval_s");
   run.frame_interval = number(json, "frame_interval_s");
+  run.reading_time = number(json, "reading_time_s");
   run.until_rest = json.at("until_rest").get<bool>();
   const Json& settled = json.at("settled");
   run.settled.enabled = settled.at("enabled").get<bool>();
@@ -126,6 +164,7 @@ solver::RunOptions read_run(const Json& resolved) {
   run.settled.retention_change = number(settled, "retention_change");
   run.settled.kinetic_energy_share = number(settled, "kinetic_energy_share");
   run.settled.earliest_time = number(settled, "earliest_time_s");
+  run.gauges = read_gauges(resolved.at("gauges"));
   return run;
 }
 

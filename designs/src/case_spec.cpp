@@ -12,7 +12,7 @@ namespace {
 void check_with_solver(const CaseSpec& spec, Findings& findings) {
   for (const auto& sentences :
        {solver::scene_errors(spec.scene), solver::numerics_errors(spec.numerics),
-        solver::run_errors(spec.run)}) {
+        solver::run_errors(spec.run), solver::gauge_errors(spec.run.gauges)}) {
     for (const std::string& sentence : sentences) findings.add("", sentence, "");
   }
 }
@@ -24,6 +24,7 @@ void check_with_solver(const CaseSpec& spec, Findings& findings) {
 Json resolve_case(SchemaNode schema, const Json& json) {
   Json resolved = with_defaults(schema, json);
   resolved.erase("$schema");
+  scale_defaults(schema, json, resolved);
   Json& barriers = resolved["barriers"];
   for (std::size_t k = 0; k < barriers.size(); ++k) {
     const Json& given = json.at("barriers")[k];

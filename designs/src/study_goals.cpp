@@ -111,7 +111,7 @@ class GoalCheck {
 void check_objective(const Objective& objective, const Metrics& metrics, const std::string& pointer,
                      GoalCheck& check, Findings& findings) {
   const bool sound = check.check_subject(objective, pointer, "asks for");
-  if (sound && !objective.metric.empty() && metrics.may_be_absent(objective.metric) &&
+  if (sound && !objective.metric.empty() && metrics.may_not_exist(objective.metric) &&
       !objective.value_when_absent) {
     findings.add(pointer + "/value_when_absent",
                  "is missing, and " + objective.metric + " does not exist in every run",

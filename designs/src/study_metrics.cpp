@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parapet/designs/study_spec.hpp"
 #include "words.hpp"
 
 namespace parapet::designs {
@@ -27,14 +28,23 @@ Metrics::Metrics(const std::vector<Combination>& combinations) {
 
 bool Metrics::has(const std::string& key, const std::string& pointer, Findings& findings) const {
   if (find(catalog_, key) != nullptr) return true;
+  if (const std::string now = with_present_names(key); find(catalog_, now) != nullptr) {
+    std::string design = now;
+    design.replace(design.find("_slam_"), 6, "_design_");
+    findings.add(
+        pointer,
+        "was the largest mean over 5 ms, which does not converge with the particle spacing",
+        design + ", the load to design with, or " + now + " for the former quantity");
+    return false;
+  }
   findings.add(pointer, "is not a metric of this case" + did_you_mean(key, keys_),
                "one of " + joined(keys_));
   return false;
 }
 
-bool Metrics::may_be_absent(const std::string& key) const {
+bool Metrics::may_not_exist(const std::string& key) const {
   const solver::MetricInfo* info = find(always_, key);
-  return info == nullptr || info->may_be_absent();
+  return info == nullptr || info->may_not_exist;
 }
 
 }  // namespace parapet::designs

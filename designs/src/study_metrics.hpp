@@ -21,7 +21,7 @@ class Metrics {
 
   /// Whether a run may end without a value: by the metric's nature, or because its barrier does not
   /// exist under every combination.
-  bool may_be_absent(const std::string& key) const;
+  bool may_not_exist(const std::string& key) const;
 
  private:
   std::vector<solver::MetricInfo> catalog_, always_;

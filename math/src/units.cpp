@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array units{
     Unit{"_n_m_per_m", "N m/m", "N m/m"},
+    Unit{"_n_s_per_m", "N s/m", "N s/m"},
     Unit{"_nm_per_m", "N m/m", "N m/m"},
     Unit{"_m3_per_m", "m3/m", "m³/m"},
     Unit{"_kg_per_m", "kg/m", "kg/m"},

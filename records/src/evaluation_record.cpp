@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "parapet/records/evaluation_log.hpp"
+#include "parapet/records/result_json.hpp"
 #include "parapet/records/whole_number.hpp"
 
 namespace parapet::records {
@@ -42,7 +43,7 @@ Json to_json(const ConstraintRecord& constraint) {
 
 ObjectiveRecord objective_from_json(const Json& json) {
   ObjectiveRecord objective;
-  objective.metric = json.at("metric").get<std::string>();
+  objective.metric = designs::with_present_names(json.at("metric").get<std::string>());
   objective.goal = json.at("goal").get<std::string>() == "minimize" ? designs::Goal::minimize
                                                                     : designs::Goal::maximize;
   objective.weight = json.at("weight").get<double>();
@@ -53,7 +54,7 @@ ObjectiveRecord objective_from_json(const Json& json) {
 
 ConstraintRecord constraint_from_json(const Json& json) {
   ConstraintRecord constraint;
-  constraint.name = json.at("name").get<std::string>();
+  constraint.name = designs::with_present_names(json.at("name").get<std::string>());
   constraint.value = optional_number(json.at("value"));
   constraint.lower = optional_number(json.at("lower"));
   constraint.upper = optional_number(json.at("upper"));
@@ -80,10 +81,25 @@ Json absent_json(const std::vector<solver::Metric>& metrics) {
 std::vector<solver::Metric> metrics_from_json(const Json& json) {
   std::vector<solver::Metric> metrics;
   const Json& absent = json.at("metrics_absent");
+  const Json unknown = json.value("metrics_unknown", Json::object());
   for (const auto& [key, value] : json.at("metrics").items()) {
-    metrics.push_back({key, optional_number(value), absent.value(key, "")});
+    solver::Metric metric{.key = designs::with_present_names(key),
+                          .value = optional_number(value),
+                          .absent_reason = {}};
+    if (!metric.value) {
+      metric.absent_reason = absent.value(key, "");
+      metric.absence = solver::absence_of(unknown.value(key, ""));
+    }
+    metrics.push_back(std::move(metric));
   }
   return metrics;
+}
+
+/// Metrics that a longer or finer run would bring, with the word for it; only where there are any.
+void add_unknown(Json& json, const std::vector<solver::Metric>& metrics) {
+  if (Json unknown = metrics_unknown_json(metrics); !unknown.empty()) {
+    json["metrics_unknown"] = std::move(unknown);
+  }
 }
 
 /// Optional texts stand there only when they say something.
@@ -122,11 +138,13 @@ Json to_json(const ScenarioRecord& scenario) {
   json["reason"] = scenario.reason;
   json["metrics"] = metrics_json(scenario.metrics);
   json["metrics_absent"] = absent_json(scenario.metrics);
+  add_unknown(json, scenario.metrics);
   json["wall_time_s"] = scenario.wall_time;
   json["cpu_time_s"] = scenario.cpu_time;
   json["particle_steps"] = scenario.particle_steps;
   add_text(json, "stop_reason", scenario.stop_reason);
   add_text(json, "case_hash", scenario.case_hash);
+  if (!scenario.warnings.empty()) json["warnings"] = warnings_json(scenario.warnings);
   return json;
 }
 
@@ -142,6 +160,7 @@ ScenarioRecord scenario_from_json(const Json& json) {
   scenario.particle_steps = json.value("particle_steps", 0.0);
   scenario.stop_reason = json.value("stop_reason", "");
   scenario.case_hash = json.value("case_hash", "");
+  scenario.warnings = warnings_from_json(json.value("warnings", Json()));
   return scenario;
 }
 
@@ -155,6 +174,7 @@ Json to_json(const EvaluationRecord& record) {
   json["reason"] = record.reason;
   json["metrics"] = metrics_json(record.metrics);
   json["metrics_absent"] = absent_json(record.metrics);
+  add_unknown(json, record.metrics);
   json["objectives"] = Json::array();
   for (const auto& objective : record.objectives) json["objectives"].push_back(to_json(objective));
   json["objective_scalar"] = optional_json(record.objective_scalar);
@@ -172,6 +192,7 @@ Json to_json(const EvaluationRecord& record) {
   add_text(json, "program_version", record.program_version);
   add_text(json, "git_revision", record.git_revision);
   if (record.physics > 0) json["physics"] = record.physics;
+  if (!record.warnings.empty()) json["warnings"] = warnings_json(record.warnings);
   if (record.scenarios.empty()) return json;
   json["scenarios"] = Json::array();
   for (const auto& scenario : record.scenarios) json["scenarios"].push_back(to_json(scenario));
@@ -206,6 +227,7 @@ EvaluationRecord record_from_json(const Json& json) {
   record.program_version = json.value("program_version", "");
   record.git_revision = json.value("git_revision", "");
   record.physics = whole_number<int>(json.value("physics", Json(0)));
+  record.warnings = warnings_from_json(json.value("warnings", Json()));
   if (!json.contains("scenarios")) return record;
   for (const Json& item : json["scenarios"]) record.scenarios.push_back(scenario_from_json(item));
   return record;

@@ -87,6 +87,52 @@ Json metrics_absent_json(const solver::Result& result) {
   return json;
 }
 
+Json metrics_unknown_json(const std::vector<solver::Metric>& metrics) {
+  Json json = Json::object();
+  for (const solver::Metric& metric : metrics) {
+    if (metric.absence == solver::Absence::run_too_short ||
+        metric.absence == solver::Absence::too_coarse) {
+      json[metric.key] = solver::to_string(metric.absence);
+    }
+  }
+  return json;
+}
+
+Json quality_json(const solver::Quality& quality) {
+  Json json;
+  json["energy_gain_ratio"] = number_or_null(quality.energy_gain_ratio);
+  json["density_error_max"] = number_or_null(quality.density_error_max);
+  json["mass_spread"] = number_or_null(quality.mass_spread);
+  json["spray_share_max"] = number_or_null(quality.spray_share_max);
+  json["wall_contacts_per_particle"] = number_or_null(quality.wall_contacts_per_particle);
+  json["particles_across_approach"] = quality.particles_across_approach
+                                          ? number_or_null(*quality.particles_across_approach)
+                                          : Json(nullptr);
+  return json;
+}
+
+Json warnings_json(const std::vector<solver::Warning>& warnings) {
+  Json json = Json::array();
+  for (const solver::Warning& warning : warnings) {
+    json.push_back({{"key", warning.key},
+                    {"value", number_or_null(warning.value)},
+                    {"limit", number_or_null(warning.limit)},
+                    {"text", warning.text}});
+  }
+  return json;
+}
+
+std::vector<solver::Warning> warnings_from_json(const Json& json) {
+  const auto number = [](const Json& value) { return value.is_null() ? 0.0 : value.get<double>(); };
+  std::vector<solver::Warning> warnings;
+  if (json.is_null()) return warnings;
+  for (const Json& item : json) {
+    warnings.push_back({item.at("key").get<std::string>(), number(item.at("value")),
+                        number(item.at("limit")), item.at("text").get<std::string>()});
+  }
+  return warnings;
+}
+
 Json uncertainty_json(const solver::Result& result) {
   Json json = Json::object();
   for (const solver::Metric& metric : result.metrics) {
@@ -148,9 +194,14 @@ Json result_json(const std::string& name, const solver::Result& result, const Js
   json["stop_time_s"] = number_or_null(result.stop_time);
   json["metrics"] = metrics_json(result);
   json["metrics_absent"] = metrics_absent_json(result);
+  if (Json unknown = metrics_unknown_json(result.metrics); !unknown.empty()) {
+    json["metrics_unknown"] = std::move(unknown);
+  }
   if (Json uncertainty = uncertainty_json(result); !uncertainty.empty()) {
     json["uncertainty"] = std::move(uncertainty);
   }
+  json["quality"] = quality_json(result.quality);
+  json["warnings"] = warnings_json(result.warnings);
   json["mass"] = mass_json(result.mass);
   json["statistics"] = statistics_json(result.statistics);
   json["provenance"] = provenance;

@@ -33,6 +33,7 @@ ScenarioRecord scenario_record(const designs::Scenario* scenario, const Simulati
   record.cpu_time = simulation.cpu_time;
   record.particle_steps = simulation.particle_steps;
   record.stop_reason = simulation.stop_reason;
+  record.warnings = simulation.warnings;
   if (simulation.report.contains("case")) {
     record.case_hash = case_hash(simulation.report["case"]);
   }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "parapet/records/result_json.hpp"
 #include "parapet/records/whole_number.hpp"
 
 namespace parapet::records {
@@ -72,6 +73,7 @@ Json metric_json(const solver::Metric& metric) {
   json["key"] = metric.key;
   json["value"] = metric.value ? number_json(*metric.value) : Json(nullptr);
   json["absent_reason"] = metric.absent_reason;
+  if (!metric.value) json["absence"] = solver::to_string(metric.absence);
   if (metric.uncertainty) json["uncertainty"] = uncertainty_json(*metric.uncertainty);
   return json;
 }
@@ -83,6 +85,7 @@ solver::Metric metric_from_json(const Json& json) {
     metric.value = number_from_json(value);
   }
   metric.absent_reason = json.at("absent_reason").get<std::string>();
+  if (!metric.value) metric.absence = solver::absence_of(json.value("absence", ""));
   if (json.contains("uncertainty")) {
     metric.uncertainty = uncertainty_from_json(json["uncertainty"]);
   }
@@ -105,6 +108,7 @@ Json to_json(const Simulation& simulation) {
   json["wall_time_s"] = number_json(simulation.wall_time);
   json["cpu_time_s"] = number_json(simulation.cpu_time);
   json["particle_steps"] = number_json(simulation.particle_steps);
+  if (!simulation.warnings.empty()) json["warnings"] = warnings_json(simulation.warnings);
   json["report"] = simulation.report;
   return json;
 }
@@ -120,6 +124,7 @@ Simulation simulation_from_json(const Json& json) {
   simulation.wall_time = number_from_json(json.at("wall_time_s"));
   simulation.cpu_time = number_from_json(json.at("cpu_time_s"));
   simulation.particle_steps = number_from_json(json.at("particle_steps"));
+  simulation.warnings = warnings_from_json(json.value("warnings", Json()));
   simulation.report = json.at("report");
   return simulation;
 }

@@ -53,7 +53,8 @@ Json read_state(const std::filesystem::path& folder) {
 /// matter.
 bool same_but_for_new_defaults(const std::string& file, const Json& state, const Json& wanted) {
   try {
-    const Json stored = designs::without_former_defaults(state.at("spec"), wanted["spec"]);
+    const Json stored = designs::without_former_defaults(
+        designs::with_present_names(state.at("spec")), wanted["spec"]);
     return study_hash(designs::parse_study(stored, file)) == wanted["spec_hash"];
   } catch (const std::exception&) {
     return false;

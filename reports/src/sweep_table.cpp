@@ -24,14 +24,16 @@ struct Column {
 constexpr std::array metric_columns{
     Column{"retention_efficiency", "retention", 3},
     Column{"retention_efficiency_total", "total", 3},
+    Column{"launch_tip_x_m", "tip x", 3},
     Column{"impact_x_m", "impact x", 3},
     Column{"launch_length_m", "launch", 3},
     Column{"launch_angle_deg", "angle", 1},
+    Column{"ramp_angle_deg", "ramp", 1},
     Column{"dead_zone_ratio", "D_F", 2},
     Column{"flow_depth_max_m", "h_max", 4},
     Column{"impact_time_s", "impact t", 3},
-    Column{"barrier_1_peak_force_n_per_m", "F peak 1", 0},
-    Column{"barrier_2_peak_force_n_per_m", "F peak 2", 0},
+    Column{"barrier_1_design_force_n_per_m", "F 1", 0},
+    Column{"barrier_2_design_force_n_per_m", "F 2", 0},
 };
 
 constexpr const char* legend =
@@ -42,7 +44,11 @@ constexpr const char* legend =
     "(a..b none)  the source states a figure where the simulation has no value\n"
     "retention    share of the released mass upstream of the first barrier; total: of the last\n"
     "impact x     where the overflow lands, from the reservoir's back wall; launch: from the foot\n"
-    "F peak 1, 2  largest force on the first and second barrier, per metre width\n";
+    "tip x        farthest connected overflow at run.reading_time_s; ramp: slope of the debris "
+    "before\n"
+    "             the barrier then\n"
+    "fit          in the range, by a reading that was chosen after results were seen\n"
+    "F 1, 2       design force on the first and second barrier, per metre width\n";
 
 struct Cell {
   std::string value, note;
@@ -66,7 +72,7 @@ std::string published_text(const study::Agreement& agreement) {
 std::string note_text(const std::optional<double>& computed, const Json& published) {
   const study::Agreement agreement = study::compare(computed, published);
   if (!agreement.published && !agreement.lower && !agreement.upper) return "";
-  std::string mark = "ok";
+  std::string mark = published.value("fitted", false) ? "fit" : "ok";
   if (!computed) {
     mark = "none";
   } else if (agreement.verdict == study::Agreement::Verdict::misses) {

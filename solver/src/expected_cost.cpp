@@ -85,7 +85,7 @@ ExpectedCost expected_cost(const Scene& scene, const Numerics& numerics,
   // Measured: 14 MiB with 600 particles, 26 with 15,000, 66 with 60,000, and 33 with 15,000 whose
   // rows are 2.25 times as long (smoothing ratio 2).
   constexpr double program = 11.0 * 1024 * 1024, particle = 500.0, neighbor = 12.0, point = 300.0;
-  constexpr double sample = 32.0, number = 8.0, columns = 10.0, columns_of_barrier = 5.0;
+  constexpr double sample = 32.0, number = 8.0, columns = 10.0, columns_of_barrier = 7.0;
   const double row_of_series =
       sample + number * (columns + columns_of_barrier * static_cast<double>(scene.barriers.size()));
   cost.series_memory = cost.samples * row_of_series;

@@ -13,8 +13,9 @@ MetricInfo info_of(std::string key, const MetricEntry& entry) {
   info.unit = entry.unit;
   info.least = entry.least;
   info.greatest = entry.greatest;
-  for (const std::string_view reason : entry.absent_when) {
-    if (!reason.empty()) info.absent_when.emplace_back(reason);
+  for (const Absent* reason : absent_when(entry)) {
+    info.absent_when.emplace_back(reason->text);
+    info.may_not_exist = info.may_not_exist || reason->kind == Absence::does_not_exist;
   }
   info.definition = entry.definition;
   return info;

@@ -40,6 +40,27 @@ std::string_view to_string(StopReason reason) {
   return "unknown";
 }
 
+std::string_view to_string(Absence absence) {
+  switch (absence) {
+    case Absence::none:
+      return "";
+    case Absence::does_not_exist:
+      return "does_not_exist";
+    case Absence::run_too_short:
+      return "run_too_short";
+    case Absence::too_coarse:
+      break;
+  }
+  return "too_coarse";
+}
+
+Absence absence_of(std::string_view word) {
+  for (const Absence absence : {Absence::run_too_short, Absence::too_coarse}) {
+    if (word == to_string(absence)) return absence;
+  }
+  return Absence::does_not_exist;
+}
+
 const Metric* Result::find_metric(std::string_view key) const {
   for (const Metric& metric : metrics) {
     if (metric.key == key) return &metric;

@@ -16,7 +16,8 @@ namespace {
 
 void require_sound_input(const Scene& scene, const Numerics& numerics, const RunOptions& options) {
   std::string text;
-  for (const auto& errors : {scene_errors(scene), numerics_errors(numerics), run_errors(options)}) {
+  for (const auto& errors : {scene_errors(scene), numerics_errors(numerics), run_errors(options),
+                             gauge_errors(options.gauges)}) {
     for (const std::string& error : errors) text += (text.empty() ? "" : "; ") + error;
   }
   constexpr double most = 2e7;  // slots of the neighbour rows are numbered with 32 bits
@@ -64,7 +65,11 @@ Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std:
       result.status = Status::failed;
   }
   result.stop_time = flow.time();
-  result.metrics = recorder.metrics();
+  result.metrics = recorder.metrics(flow, stop_reason);
+  result.quality = recorder.quality(flow);
+  result.warnings = warnings_of(
+      result.quality, recorder.unfinished(flow, stop_reason) && result.status == Status::ok,
+      flow.time());
   result.series = recorder.take_series();
   result.statistics = flow.statistics();
   result.statistics.max_particles_inside_walls = recorder.max_particles_inside_walls();
@@ -136,6 +141,18 @@ Ending run(Flow& flow, Recorder& recorder, SharedStart& start, const RunOptions&
 }
 
 }  // namespace
+
+RunOptions usual_run_options(const Scene& scene) {
+  const RunOptions flume;
+  const EventUnits unit = event_units(Scene{}, flume.gauges),
+                   own = event_units(scene, flume.gauges);
+  const double longer = own.time / unit.time;
+  RunOptions options;
+  options.stop_time *= longer;
+  options.series_interval *= longer;
+  options.settled.window *= longer;
+  return options;
+}
 
 Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& options,
                 const Callbacks& callbacks, StartStates* starts) {

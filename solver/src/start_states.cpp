@@ -22,7 +22,8 @@ SharedFlow::SharedFlow(const Scene& scene, const Numerics& flow_numerics, const 
       numerics(flow_numerics),
       series_interval(options.series_interval),
       retention_change(options.settled.retention_change),
-      kinetic_energy_share(options.settled.kinetic_energy_share) {
+      kinetic_energy_share(options.settled.kinetic_energy_share),
+      front_mass_share(options.gauges.front_mass_share) {
   channel.barriers.clear();
   channel.monitor_x = 0.0;
 }

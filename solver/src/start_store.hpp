@@ -22,7 +22,7 @@ struct SharedFlow {
 
   Scene channel;  // without barriers and gauges
   Numerics numerics;
-  double series_interval, retention_change, kinetic_energy_share;
+  double series_interval, retention_change, kinetic_energy_share, front_mass_share;
 };
 
 // A flow at a sample, and how it came there.

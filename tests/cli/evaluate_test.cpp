@@ -36,10 +36,10 @@ TEST_F(Evaluate, StandardOutputIsExactlyOneObject) {
   EXPECT_EQ(record["status"], "ok");
   EXPECT_EQ(record["design"]["deflector_angle_deg"], 45.0);
   EXPECT_TRUE(record["metrics"]["retention_efficiency"].is_number());
-  EXPECT_EQ(record["objectives"][0]["metric"], "barrier_1_peak_force_n_per_m");
+  EXPECT_EQ(record["objectives"][0]["metric"], "barrier_1_slam_force_n_per_m");
   // Minimised with scale 100: the scalar is force / 100.
   EXPECT_DOUBLE_EQ(record["objective_scalar"].get<double>(),
-                   record["metrics"]["barrier_1_peak_force_n_per_m"].get<double>() / 100.0);
+                   record["metrics"]["barrier_1_slam_force_n_per_m"].get<double>() / 100.0);
   EXPECT_EQ(record["constraints"].size(), 2U);
   EXPECT_NEAR(record["constraints"][0]["margin"].get<double>(), 0.13 - 0.115, 1e-12);
   EXPECT_EQ(record["constraints"][0]["satisfied"], true);

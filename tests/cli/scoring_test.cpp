@@ -23,7 +23,7 @@ designs::StudySpec study_with(const std::string& objectives, const std::string& 
 std::vector<solver::Metric> metrics(std::optional<double> launch_length) {
   return {{"retention_efficiency", 0.8, ""},
           {"launch_length_m", launch_length, launch_length ? "" : "nothing overflows"},
-          {"barrier_1_peak_force_n_per_m", 150.0, ""}};
+          {"barrier_1_slam_force_n_per_m", 150.0, ""}};
 }
 
 constexpr const char* two_objectives = R"([
@@ -60,7 +60,7 @@ TEST(Scoring, GivesOneScaledViolationPerLimitLowerFirst) {
   const auto study = study_with(two_objectives, R"([
     {"metric": "retention_efficiency", "lower": 0.9, "upper": 1, "scale": 0.5},
     {"name": "cheap", "expression": "upstream_height_m", "upper": 0.05},
-    {"metric": "barrier_1_peak_force_n_per_m", "upper": 200}])");
+    {"metric": "barrier_1_slam_force_n_per_m", "upper": 200}])");
   const Score score = study::score(study, design, metrics(0.25));
   ASSERT_EQ(score.metric_violations.size(), 3U);
   EXPECT_NEAR(score.metric_violations[0], (0.9 - 0.8) / 0.5, 1e-15);

@@ -101,14 +101,14 @@ TEST(Optimize, SearchOverScenariosEndsWithATableOfTheFront) {
     EXPECT_EQ(design["objectives"][1]["value"], design["objectives"][1]["estimate"])
         << "a formula is known";
   }
-  EXPECT_PRED_FORMAT2(IsSubstring, "barrier_1_peak_force_n_per_m", outcome.out);
+  EXPECT_PRED_FORMAT2(IsSubstring, "barrier_1_slam_force_n_per_m", outcome.out);
   EXPECT_PRED_FORMAT2(IsSubstring, "hypervolume", outcome.out);
   EXPECT_PRED_FORMAT2(IsSubstring, "(search, 20 mm)", outcome.err);
   for (const Json& line : log_lines(folder / "out/evaluations.jsonl")) {
     if (line["status"] != "ok") continue;
     double worst = 0.0;
     for (const Json& scenario : line["scenarios"]) {
-      worst = std::max(worst, scenario["metrics"]["barrier_1_peak_force_n_per_m"].get<double>());
+      worst = std::max(worst, scenario["metrics"]["barrier_1_slam_force_n_per_m"].get<double>());
     }
     EXPECT_EQ(line["objectives"][0]["value"].get<double>(), worst);
   }

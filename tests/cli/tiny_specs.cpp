@@ -30,7 +30,7 @@ Json tiny_study() {
       "deflector_angle_deg": {"lower": 0, "upper": 60},
       "upstream_height_m": {"lower": 0.04, "upper": 0.1}
     },
-    "objectives": [{"metric": "barrier_1_peak_force_n_per_m", "goal": "minimize", "scale": 100}],
+    "objectives": [{"metric": "barrier_1_slam_force_n_per_m", "goal": "minimize", "scale": 100}],
     "constraints": [
       {"name": "stem", "expression": "upstream_height_m + deflector_angle_deg / 1000", "upper": 0.13},
       {"metric": "retention_efficiency", "lower": 0.2}
@@ -48,7 +48,7 @@ Json tiny_study() {
 Json tiny_search() {
   Json study = tiny_study();
   study["objectives"] = Json::parse(R"([
-    {"metric": "barrier_1_peak_force_n_per_m", "goal": "minimize", "statistic": "worst"},
+    {"metric": "barrier_1_slam_force_n_per_m", "goal": "minimize", "statistic": "worst"},
     {"name": "plate_m", "expression": "upstream_height_m + 0.04", "goal": "minimize"}])");
   study["scenarios"] = Json::parse(R"([
     {"name": "runny", "weight": 0.25, "set": {"yield_stress_pa": 40}},

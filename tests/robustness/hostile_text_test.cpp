@@ -29,7 +29,7 @@ Json hostile_study() {
   study["case"]["reservoir"]["height_m"] = 0.12;
   study["case"]["numerics"]["spacing_m"] = 0.03;
   study["objectives"] = Json::array(
-      {{{"name", wicked}, {"metric", "barrier_1_peak_force_n_per_m"}, {"goal", "minimize"}},
+      {{{"name", wicked}, {"metric", "barrier_1_slam_force_n_per_m"}, {"goal", "minimize"}},
        {{"metric", "retention_efficiency"}, {"goal", "maximize"}}});
   study["constraints"][0]["name"] = wicked;
   study["scenarios"] =

@@ -158,7 +158,7 @@ TEST(SimulationDamage, ChangedSimulationOfAnUnfinishedDesignIsNotUsed) {
   std::filesystem::remove(folder / "out/checksums.sha256");
   std::filesystem::remove(folder / "out/evaluations/0003.json");
   std::string simulation = file_text(folder / "out/evaluations/0003-usual.json");
-  const std::size_t digit = simulation.find("barrier_1_peak_force_n_per_m\": ") + 31;
+  const std::size_t digit = simulation.find("barrier_1_slam_force_n_per_m\": ") + 31;
   simulation[digit] = simulation[digit] == '1' ? '2' : '1';
   folder.write("out/evaluations/0003-usual.json", simulation);
   ASSERT_EQ(run_program(folder.path(), command("out")).exit_code, 0);

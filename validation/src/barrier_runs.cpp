@@ -31,11 +31,17 @@ std::vector<solver::Face> outlines(const solver::Scene& scene) {
 solver::Result simulated(const solver::Scene& scene, const solver::Numerics& numerics,
                          const CaseRun& run, double frame_interval,
                          const std::function<void(const solver::Frame&)>& on_frame) {
-  solver::Callbacks callbacks;
-  callbacks.on_frame = on_frame;
   solver::RunOptions options;
   options.frame_interval = frame_interval;
   options.until_rest = frame_interval > 0.0;  // pictures show what the barriers hold at last
+  return simulated(scene, numerics, options, run, on_frame);
+}
+
+solver::Result simulated(const solver::Scene& scene, const solver::Numerics& numerics,
+                         const solver::RunOptions& options, const CaseRun& run,
+                         const std::function<void(const solver::Frame&)>& on_frame) {
+  solver::Callbacks callbacks;
+  callbacks.on_frame = on_frame;
   callbacks.on_progress = [&](const solver::Progress&) {
     run.check_cancelled();
     return true;

@@ -31,6 +31,11 @@ solver::Result simulated(const solver::Scene& scene, const solver::Numerics& num
                          const CaseRun& run, double frame_interval = 0.0,
                          const std::function<void(const solver::Frame&)>& on_frame = {});
 
+// The same with options of its own.
+solver::Result simulated(const solver::Scene& scene, const solver::Numerics& numerics,
+                         const solver::RunOptions& options, const CaseRun& run,
+                         const std::function<void(const solver::Frame&)>& on_frame = {});
+
 // A metric's value; not a number where the result has none.
 double metric(const solver::Result& result, const std::string& key);
 
@@ -44,7 +49,7 @@ struct JudgedMetric {
 inline constexpr JudgedMetric judged_metrics[] = {
     {"retention_efficiency", "retention", "", 1.0},
     {"launch_length_m", "launch length", "mm", 1e3},
-    {"barrier_1_peak_force_n_per_m", "peak force", "N/m", 1.0},
+    {"barrier_1_design_force_n_per_m", "design force", "N/m", 1.0},
 };
 
 }  // namespace parapet::validation

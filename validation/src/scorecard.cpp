@@ -37,6 +37,7 @@ Measure measure_from_json(const Json& json) {
   m.upper = optional_number(json, "upper");
   m.reason = optional_text(json, "reason");
   m.explanation = optional_text(json, "explanation");
+  m.fitted = json.value("fitted", false);
   return m;
 }
 
@@ -46,6 +47,8 @@ const char* to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::met:
       return "met";
+    case Verdict::fitted:
+      return "fitted";
     case Verdict::missed:
       return "missed";
     default:
@@ -57,7 +60,8 @@ Verdict Measure::verdict() const {
   if (!lower && !upper) return Verdict::measured;
   const bool good =
       std::isfinite(value) && (!lower || value >= *lower) && (!upper || value <= *upper);
-  return good ? Verdict::met : Verdict::missed;
+  if (!good) return Verdict::missed;
+  return fitted ? Verdict::fitted : Verdict::met;
 }
 
 int Scorecard::count(Verdict verdict) const {
@@ -100,6 +104,7 @@ Json to_json(const Scorecard& card) {
     if (!m.unit.empty()) row["unit"] = m.unit;
     if (m.lower) row["lower"] = number_json(*m.lower);
     if (m.upper) row["upper"] = number_json(*m.upper);
+    if (m.fitted) row["fitted"] = true;
     row["verdict"] = to_string(m.verdict());
     if (!m.reason.empty()) row["reason"] = m.reason;
     if (!m.explanation.empty()) row["explanation"] = m.explanation;

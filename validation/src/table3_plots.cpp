@@ -77,16 +77,16 @@ void draw_panels(CaseRun& run, const char* file, const char* title,
 void draw_launch(CaseRun& run, const std::vector<designs::SweepRow>& rows,
                  const std::vector<solver::Result>& results) {
   reports::LinePlot plot;
-  plot.title = "Where the overflow lands";
+  plot.title = "How far the overflow reaches at 1.05 s";
   plot.x_label = "deflector angle [deg]";
-  plot.y_label = "x of impact, from the back wall [m]";
+  plot.y_label = "x of its tip, from the back wall [m]";
   reports::PlotSeries ours{"simulated", {}, {}, reports::SeriesStyle::line_and_markers, 0};
   for (const double angle : {0.0, 30.0, 45.0, 60.0}) {
     ours.x.push_back(angle);
     ours.y.push_back(
-        metric(results[index_of(rows, fmt::format("H10-D{:.0f}", angle))], "impact_x_m"));
+        metric(results[index_of(rows, fmt::format("H10-D{:.0f}", angle))], "launch_tip_x_m"));
   }
-  const double without = metric(results[index_of(rows, "H10-WD2")], "impact_x_m");
+  const double without = metric(results[index_of(rows, "H10-WD2")], "launch_tip_x_m");
   plot.series = {
       ours,
       {"Huang et al. 2024", {0.0, 45.0}, {1.845, 1.273}, reports::SeriesStyle::markers, 1},

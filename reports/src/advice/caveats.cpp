@@ -15,6 +15,26 @@ using records::EvaluationRecord;
 using study::LoadedStudy;
 using Sentences = std::vector<std::string>;
 
+/// What the run of the recommended design says against its own numbers.
+void add_warnings(Sentences& list, const LoadedStudy& study, const DesignReport* best) {
+  int warned = 0, simulated = 0;
+  for (const EvaluationRecord& design : study.designs) {
+    if (!design.ok) continue;
+    ++simulated;
+    warned += design.warnings.empty() ? 0 : 1;
+    if (best == nullptr || design.id != best->id) continue;
+    for (const solver::Warning& warning : design.warnings) {
+      list.push_back(
+          fmt::format("The run of the recommended design warns: {} ({} = {:.3g}, limit {:.3g}).",
+                      warning.text, warning.key, warning.value, warning.limit));
+    }
+  }
+  if (warned > 0) {
+    list.push_back(fmt::format("{} of {} designs carry warnings; evaluations.jsonl has them.",
+                               warned, simulated));
+  }
+}
+
 void add_unfinished(Sentences& list, const LoadedStudy& study, const DesignReport* best) {
   int unsettled = 0, simulated = 0;
   for (const EvaluationRecord& design : study.designs) {
@@ -100,6 +120,7 @@ bool uses_loads(const designs::StudySpec& study) {
 
 std::vector<std::string> caveats(const LoadedStudy& study, const DesignReport* best) {
   Sentences list;
+  add_warnings(list, study, best);
   add_unfinished(list, study, best);
   add_spacings(list, study, best);
   list.push_back(
@@ -111,8 +132,8 @@ std::vector<std::string> caveats(const LoadedStudy& study, const DesignReport* b
   add_scatter(list, study, best);
   if (uses_loads(study.spec)) {
     list.push_back(
-        "A force or moment decides here. Peak loads scatter far more than volumes, by tens of per "
-        "cent between nearly equal designs at coarse spacings.");
+        "A force or moment decides here. Loads scatter more than volumes between nearly equal "
+        "designs, the slam by tens of per cent at coarse spacings.");
   }
   const bool scenarios = std::ranges::any_of(
       study.designs, [](const EvaluationRecord& design) { return design.scenarios.size() > 1; });

@@ -40,7 +40,7 @@ FlowSetup channel_setup(const Scene& scene, const Numerics& numerics, int thread
   setup.wall_slip = scene.wall_slip;
   setup.outlet_x = scene.domain_length;
   setup.ceiling_z = scene.domain_height;
-  setup.n_barriers = static_cast<int>(scene.barriers.size());
+  setup.n_barriers = 2 * static_cast<int>(scene.barriers.size());
   setup.threads = threads;
   setup.adapt_sound_speed = numerics.integrator == Integrator::implicit_viscosity;
   add_channel(setup.solids, scene, 4.0 * numerics.smoothing_ratio * numerics.spacing);
@@ -48,7 +48,14 @@ FlowSetup channel_setup(const Scene& scene, const Numerics& numerics, int thread
     add_outline(setup.solids, {solid.vertices.rbegin(), solid.vertices.rend()}, -1, false);
   }
   for (std::size_t k = 0; k < scene.barriers.size(); ++k) {
-    add_outline(setup.solids, barrier_outline(scene, scene.barriers[k]), static_cast<int>(k), true);
+    const int cell = 2 * static_cast<int>(k);
+    const std::size_t first = setup.solids.faces.size();
+    add_outline(setup.solids, barrier_outline(scene, scene.barriers[k]), cell, true);
+    if (!scene.barriers[k].deflector) continue;
+    // between the stem's two faces: the plate's lower face, its tip and its upper face
+    for (std::size_t f = first + 1; f + 1 < setup.solids.faces.size(); ++f) {
+      setup.solids.faces[f].barrier = cell + 1;
+    }
   }
   setup.particles = lattice_block(0.0, 0.0, scene.reservoir_length, scene.reservoir_height,
                                   numerics.spacing, scene.material.density);

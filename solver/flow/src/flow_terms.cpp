@@ -130,7 +130,7 @@ void Flow::update_gradients(double interval) {
   const double stable = farthest_shift * setup_.numerics.spacing;
   const ShiftingSettings settings{
       smoothing_length(), interval * now_.max_speed > stable ? stable / interval : now_.max_speed,
-      setup_.numerics.shifting_factor, a.constants.no_slip};
+      setup_.numerics.shifting_factor, a.constants.no_slip, still_rate2(setup_.material)};
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     const GradientSumArrays sums(end - begin);
     passes_.gradient_sums(a, sums.view, begin, end);

@@ -25,11 +25,16 @@ double yield_fraction(double pair_rate, double gradient_rate, double wall_trace)
   return share + (1.0 - share) * (t * t * (3.0 - 2.0 * t)) * away;
 }
 
-double viscous_quadrature(double pp, double pq, double qq, double a, double b) {
+double still_rate2(const Material& material) {
+  const double slower = material.cutoff_shear_rate / 0.1;  // than Table 1's
+  return 1e-12 * (slower * slower);
+}
+
+double viscous_quadrature(double pp, double pq, double qq, double a, double b, double still2) {
   constexpr double full_support = 0.99;  // smallest (P + Q)/2 of a complete neighbourhood
   const double support = 0.5 * (pp + qq);
-  const double strain2 = a * a + b * b + 1e-12;  // at rest: the isotropic value [1/s2]
-  const double discrete = a * a * pp + 2.0 * a * b * pq + b * b * qq + 1e-12 * support;
+  const double strain2 = a * a + b * b + still2;  // at rest: the isotropic value
+  const double discrete = a * a * pp + 2.0 * a * b * pq + b * b * qq + still2 * support;
   if (!(discrete > 0.0)) return 1.0;
   return std::clamp(strain2 / discrete * std::min(1.0, support / full_support), 0.5, 2.0);
 }

@@ -68,7 +68,8 @@ void finish_gradients(Fluid& f, const GradientSums& s, const ShiftingSettings& s
       dw = tensor.solve(dw);
     }
     const double a = 0.5 * (du.x - dw.z), b = 0.5 * (du.z + dw.x);
-    f.quadrature[k] = viscous_quadrature(s.moment_pp[i], s.moment_pq[i], s.moment_qq[i], a, b);
+    f.quadrature[k] =
+        viscous_quadrature(s.moment_pp[i], s.moment_pq[i], s.moment_qq[i], a, b, settings.still2);
     // Not the modulus of the gradient above: the rate whose dissipation eta g^2 is that of the
     // particle's own viscous pair forces.
     f.shear_rate[k] = std::sqrt(4.0 * f.quadrature[k] * s.approach2[i]);

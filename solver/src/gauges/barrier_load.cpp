@@ -6,8 +6,6 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double peak_window = 0.005;  // [s]
-
 BarrierLoad mean(const BarrierImpulse& impulse, double time) {
   const double per_time = time > 0.0 ? 1.0 / time : 0.0;
   return {per_time * impulse.force, per_time * impulse.moment};
@@ -21,33 +19,50 @@ void add(BarrierImpulse& sum, const BarrierImpulse& impulse) {
 }  // namespace
 
 void LoadGauge::observe(std::vector<BarrierImpulse> impulses, double time_step, double time) {
-  for (std::size_t k = 0; k < impulses.size(); ++k) add(interval_[k], impulses[k]);
-  interval_time_ += time_step;
-  window_time_ += time_step;
-  window_.push_back({time_step, std::move(impulses)});
-  constexpr double enough = peak_window * (1.0 - 1e-9);
-  while (window_time_ - window_.front().time >= enough) {
-    window_time_ -= window_.front().time;
-    window_.pop_front();
+  for (std::size_t cell = 0; cell < impulses.size(); ++cell) {
+    add(interval_[cell], impulses[cell]);
+    Vec2& whole = whole_[cell / cells_per_barrier];
+    whole = whole + impulses[cell].force;
   }
-  if (window_time_ >= enough) update_peaks(time);
+  interval_time_ += time_step;
+  covered_ += time_step;
+  steps_.push_back({time_step, std::move(impulses)});
+  const double enough = windows_[design_window] * (1.0 - 1e-9);
+  while (covered_ - steps_.front().time >= enough) {
+    covered_ -= steps_.front().time;
+    steps_.pop_front();
+  }
+  for (std::size_t k = 0; k < loads_.size(); ++k) update_peaks(k, time);
 }
 
-void LoadGauge::update_peaks(double time) {
-  for (std::size_t k = 0; k < peaks_.size(); ++k) {
-    BarrierImpulse sum;
-    double covered = 0.0;  // added anew each time: a running sum would drift
-    for (const Step& step : window_) {
-      add(sum, step.impulses[k]);
-      covered += step.time;
+// From the latest step backwards, added anew each time: a running sum would drift.
+void LoadGauge::update_peaks(std::size_t barrier, double time) {
+  BarrierLoads& loads = loads_[barrier];
+  BarrierImpulse stem, deflector;
+  double covered = 0.0;
+  int window = 0;
+  for (auto step = steps_.rbegin(); step != steps_.rend() && window < load_windows; ++step) {
+    add(stem, step->impulses[cells_per_barrier * barrier]);
+    add(deflector, step->impulses[cells_per_barrier * barrier + 1]);
+    covered += step->time;
+    for (; window < load_windows &&
+           covered >= windows_[static_cast<std::size_t>(window)] * (1.0 - 1e-9);
+         ++window) {
+      BarrierImpulse both = stem;
+      add(both, deflector);
+      const BarrierLoad load = mean(both, covered);
+      PeakLoad& peak = loads.peak[static_cast<std::size_t>(window)];
+      const bool larger = norm(load.force) > peak.force;
+      if (larger) {
+        peak.force = norm(load.force);
+        peak.force_time = time;
+      }
+      peak.moment = std::max(peak.moment, load.moment);
+      if (window != design_window) continue;
+      if (larger) loads.design = load;
+      loads.stem = std::max(loads.stem, norm(mean(stem, covered).force));
+      loads.deflector = std::max(loads.deflector, norm(mean(deflector, covered).force));
     }
-    const BarrierLoad load = mean(sum, covered);
-    PeakLoad& peak = peaks_[k];
-    if (norm(load.force) > peak.force) {
-      peak.force = norm(load.force);
-      peak.force_time = time;
-    }
-    peak.moment = std::max(peak.moment, load.moment);
   }
 }
 

@@ -1,6 +1,7 @@
 // Force and overturning moment on the barriers.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <vector>
 
@@ -14,35 +15,58 @@ struct BarrierLoad {
   double moment = 0.0;  // about the foot, positive downstream [N m/m]
 };
 
-// Largest loads so far.
+// Largest running means so far, over one window.
 struct PeakLoad {
   double force = 0.0;        // magnitude [N/m]
-  double force_time = -1.0;  // [s], negative while there was none
+  double force_time = -1.0;  // end of that window [s]; negative while there was none
   double moment = 0.0;       // [N m/m]
 };
 
-// Peaks are those of the running mean over 5 ms, whatever the interval of the series.
+// The windows of the running means, in rising order of their lengths.
+enum LoadWindow { slam_window, short_window, design_window, load_windows };
+
+// The loads on one barrier. Stem and deflector are two load cells: what acts on either of them
+// has its own largest means, at its own time.
+struct BarrierLoads {
+  std::array<PeakLoad, load_windows> peak;  // of both together
+  BarrierLoad design;                       // when its mean over the design window was largest
+  double stem = 0.0, deflector = 0.0;       // largest means over the design window [N/m]
+};
+
+// How a scene's load cells are numbered: see channel_setup.
+constexpr std::size_t cells_per_barrier = 2;
+
 class LoadGauge {
  public:
-  explicit LoadGauge(std::size_t n_barriers) : interval_(n_barriers), peaks_(n_barriers) {}
-  // After every time step: its impulses on the barriers [n_barriers], its length and its end [s].
+  // @param windows of the running means, rising [s]
+  LoadGauge(std::size_t n_barriers, std::array<double, load_windows> windows)
+      : windows_(windows),
+        interval_(n_barriers * cells_per_barrier),
+        whole_(n_barriers),
+        loads_(n_barriers) {}
+  // After every time step: its impulses on the load cells [n_barriers x cells_per_barrier], its
+  // length and its end [s].
   void observe(std::vector<BarrierImpulse> impulses, double time_step, double time);
-  // Mean loads since the last reading.
+  // Mean loads on the load cells since the last reading.
   std::vector<BarrierLoad> read();
-  const std::vector<PeakLoad>& peaks() const { return peaks_; }
+  const std::vector<BarrierLoads>& loads() const { return loads_; }
+  // Impulse on a barrier since the release [N s/m].
+  Vec2 impulse(std::size_t barrier) const { return whole_[barrier]; }
 
  private:
   struct Step {
     double time;                           // its length [s]
-    std::vector<BarrierImpulse> impulses;  // [n_barriers]
+    std::vector<BarrierImpulse> impulses;  // of the load cells
   };
-  void update_peaks(double time);
+  void update_peaks(std::size_t barrier, double time);
 
-  std::deque<Step> window_;  // the latest steps, just enough to fill 5 ms
-  double window_time_ = 0.0;
+  std::array<double, load_windows> windows_;
+  std::deque<Step> steps_;  // the latest, just enough to fill the longest window
+  double covered_ = 0.0;    // by them [s]
   std::vector<BarrierImpulse> interval_;
   double interval_time_ = 0.0;  // [s]
-  std::vector<PeakLoad> peaks_;
+  std::vector<Vec2> whole_;
+  std::vector<BarrierLoads> loads_;
 };
 
 }  // namespace parapet::solver

@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bed.hpp"
 #include "parapet/flow/index.hpp"
 
 namespace parapet::solver {
 namespace {
-
-constexpr double front_mass_share = 0.005;
-constexpr double depth_window = 0.040;      // [m]
-constexpr double energy_window = 0.050;     // [m] either side, as in the paper
-constexpr double rest_speed = 0.1;          // [m/s]
-constexpr double rest_bin = 0.020;          // [m] along the bed
-constexpr double rest_depth_factor = 1.25;  // of the layer that rests without a barrier
-constexpr double rest_depth_least = 0.020, rest_depth_most = 0.100;  // [m]
 
 double speed_squared(const Fluid& f, std::size_t i) {
   return f.u[i] * f.u[i] + f.w[i] * f.w[i];
@@ -22,17 +15,20 @@ double speed_squared(const Fluid& f, std::size_t i) {
 
 // On the bed alone a layer of tau_y/(rho g sin a) can stay at rest; what is clearly deeper rests
 // because the barrier holds it.
-double least_dead_depth(const Scene& scene) {
-  const double drive = scene.material.density * scene.gravity * std::sin(std::abs(scene.slope));
+double least_dead_depth(const GaugeScene& g, double slope) {
+  const Scene& scene = *g.scene;
+  const double drive = scene.material.density * scene.gravity * std::sin(std::abs(slope));
   const double layer = drive > 0.0 ? scene.material.yield_stress / drive : 0.0;
-  return std::clamp(rest_depth_factor * layer, rest_depth_least, rest_depth_most);
+  return std::clamp(g.settings.dead_zone_depth_factor * layer,
+                    g.length(g.settings.dead_zone_least_depth_ratio),
+                    g.length(g.settings.dead_zone_most_depth_ratio));
 }
 
 }  // namespace
 
 double front_position(const GaugeScene& g, const Fluid& f, double left_mass) {
   double ahead = left_mass;
-  const double share = front_mass_share * g.released_mass;
+  const double share = g.settings.front_mass_share * g.released_mass;
   if (ahead >= share) return g.scene->domain_length;
   struct Parcel {
     double x, mass;
@@ -57,17 +53,23 @@ double front_position(const GaugeScene& g, const Fluid& f, double left_mass) {
 }
 
 double flow_depth(const GaugeScene& g, const Fluid& f) {
+  return flow_depth_at(g, f, g.gauge_x);
+}
+
+double flow_depth_at(const GaugeScene& g, const Fluid& f, double x) {
+  const double window = g.length(g.settings.depth_window_ratio);
   double mass = 0.0;
   for (std::size_t i = 0; i < at(f.n); ++i) {
-    if (f.x[i] <= g.gauge_x && f.x[i] > g.gauge_x - depth_window) mass += f.mass[i];
+    if (f.x[i] <= x && f.x[i] > x - window) mass += f.mass[i];
   }
-  return mass / (g.scene->material.density * depth_window);
+  return mass / (g.scene->material.density * window);
 }
 
 double window_kinetic_energy(const GaugeScene& g, const Fluid& f) {
+  const double window = g.length(g.settings.energy_window_ratio);
   double energy = 0.0;
   for (std::size_t i = 0; i < at(f.n); ++i) {
-    if (std::abs(f.x[i] - g.gauge_x) <= energy_window) {
+    if (std::abs(f.x[i] - g.gauge_x) <= window) {
       energy += 0.5 * f.mass[i] * speed_squared(f, i);
     }
   }
@@ -85,7 +87,8 @@ double dead_zone_length(const GaugeScene& g, const Fluid& f) {
   const double foot = g.lines.front().foot.x;
   // columns parallel to the stem, so that the first one is as deep as the others
   const double lean = g.lines.front().downstream.z / g.lines.front().downstream.x;
-  const double bin_length = std::max(rest_bin, 2.0 * g.spacing);
+  const double bin_length = g.length(g.settings.dead_zone_window_ratio);
+  const double rest_speed = g.speed(g.settings.rest_speed_ratio);
   const auto bins = at(static_cast<int>(std::ceil(foot / bin_length)));
   std::vector<double> at_rest(bins, 0.0);
   for (std::size_t i = 0; i < at(f.n); ++i) {
@@ -93,9 +96,11 @@ double dead_zone_length(const GaugeScene& g, const Fluid& f) {
     if (upstream <= 0.0 || speed_squared(f, i) >= rest_speed * rest_speed) continue;
     at_rest[std::min(bins - 1, at(static_cast<int>(upstream / bin_length)))] += f.mass[i];
   }
-  const double enough = g.scene->material.density * bin_length * least_dead_depth(*g.scene);
   double length = 0.0;
   for (std::size_t bin = 0; bin < bins; ++bin) {
+    const double to = foot - static_cast<double>(bin) * bin_length;
+    const double slope = bed_slope(*g.scene, std::max(0.0, to - bin_length), to);
+    const double enough = g.scene->material.density * bin_length * least_dead_depth(g, slope);
     if (at_rest[bin] < enough) return length + bin_length * at_rest[bin] / enough;
     length += bin_length;
   }

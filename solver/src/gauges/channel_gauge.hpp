@@ -6,18 +6,22 @@
 
 namespace parapet::solver {
 
-// x that 0.5 % of the released mass is ahead of [m]; the outlet once that much has left.
+// x that front_mass_share of the released mass is ahead of [m]; the outlet once that much has left.
 double front_position(const GaugeScene& g, const Fluid& fluid, double left_mass);
 
-// Mass over (density x length) in the 40 mm upstream of the gauge [m].
+// Mass over (density x length) in depth_window upstream of the gauge [m].
 double flow_depth(const GaugeScene& g, const Fluid& fluid);
 
-// Eq. 16 in the window 0.05 m either side of the gauge [J/m].
+// The same upstream of another place along the channel [m].
+double flow_depth_at(const GaugeScene& g, const Fluid& fluid, double x);
+
+// Eq. 16 in energy_window either side of the gauge [J/m].
 double window_kinetic_energy(const GaugeScene& g, const Fluid& fluid);
 double total_kinetic_energy(const Fluid& fluid);  // [J/m]
 
 // Length along the bed, from the foot upstream, over which without a gap more material is at rest
-// (slower than 0.1 m/s) than the bed alone can hold: deeper than 1.25 tau_y/(rho g sin a) [m].
+// (slower than rest_speed) than the bed alone can hold: deeper than dead_zone_depth_factor
+// tau_y/(rho g sin a), a the slope of the bed there [m].
 double dead_zone_length(const GaugeScene& g, const Fluid& fluid);
 
 }  // namespace parapet::solver

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "parapet/flow/geometry.hpp"
+#include "parapet/solver/gauge_settings.hpp"
 
 namespace parapet::solver {
 
@@ -21,6 +22,12 @@ struct GaugeScene {
   double gauge_x = 0.0;        // first foot, or the monitored place [m]
   double released_mass = 0.0;  // [kg/m]
   double spacing = 0.0;        // [m]
+  GaugeSettings settings;
+  EventUnits units = event_units(Scene{}, GaugeSettings{});
+
+  double length(double ratio) const { return ratio * units.length; }  // [m]
+  double time(double ratio) const { return ratio * units.time; }      // [s]
+  double speed(double ratio) const { return ratio * units.speed; }    // [m/s]
 };
 
 }  // namespace parapet::solver

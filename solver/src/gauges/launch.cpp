@@ -3,24 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bed.hpp"
+
 namespace parapet::solver {
-namespace {
-
-constexpr double impact_share = 0.005;  // of the released mass
-constexpr double place_share = 0.010;
-constexpr double landing_height = 0.010;   // [m] of a particle's centre
-constexpr double approach_height = 0.020;  // [m]
-constexpr double rest_share = 0.1;  // of the speed of a fall from the crest: slower, it lies there
-
-}  // namespace
-
-LaunchGauge::LaunchGauge(const GaugeScene& g)
-    : g_(g), landing_height_(std::max(landing_height, g.spacing)) {}
-
 void LaunchGauge::observe(const Fluid& f, double time) {
   if (g_.lines.empty()) return;
   const BarrierLine& line = g_.lines.front();
   const Vec2 up{-g_.edge.downstream.z, g_.edge.downstream.x};
+  const double approach_height = g_.length(g_.settings.approach_height_ratio);
+  const double landing_height = g_.length(g_.settings.landing_height_ratio);
   if (passed_.empty()) {
     passed_.assign(static_cast<std::size_t>(f.n), 0);
     landed_ = passed_;
@@ -36,10 +27,11 @@ void LaunchGauge::observe(const Fluid& f, double time) {
       passages_[id] = {f.x[i], f.z[i], f.u[i], f.w[i]};
     }
     if (landed_[id] || line.offset(p) < 0.0) continue;
-    if (approach_speed_[id] < 0.0 && f.z[i] < std::max(approach_height, 2.0 * g_.spacing)) {
+    const double above = f.z[i] - bed_below(*g_.scene, p);
+    if (approach_speed_[id] < 0.0 && above < approach_height) {
       approach_speed_[id] = std::hypot(f.u[i], f.w[i]);
     }
-    if (f.z[i] < landing_height_) {
+    if (above < landing_height) {
       landed_[id] = 1;
       landings_.push_back({time, f.mass[i], f.x[i], approach_speed_[id], f.id[i]});
       landed_mass_ += f.mass[i];
@@ -48,22 +40,22 @@ void LaunchGauge::observe(const Fluid& f, double time) {
 }
 
 bool LaunchGauge::landing(const Fluid& f) const {
-  if (landed_.empty() || landed_mass_ >= place_share * g_.released_mass) return false;
-  const double fall = std::sqrt(g_.scene->gravity * g_.scene->barriers.front().height);
+  if (landed_.empty() || landed_mass_ >= place_mass()) return false;
+  const double rest_speed = g_.speed(g_.settings.rest_speed_ratio);
   double flying = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     const Vec2 p{f.x[i], f.z[i]};
     if (landed_[static_cast<std::size_t>(f.id[i])] || g_.lines.front().offset(p) < 0.0) continue;
-    if (std::hypot(f.u[i], f.w[i]) >= rest_share * fall) flying += f.mass[i];
+    if (std::hypot(f.u[i], f.w[i]) >= rest_speed) flying += f.mass[i];
   }
-  return flying > 0.0 && landed_mass_ + flying >= impact_share * g_.released_mass;
+  return flying > 0.0 && landed_mass_ + flying >= impact_mass();
 }
 
 std::vector<LaunchGauge::Landing> LaunchGauge::first_landings() const {
   std::vector<Landing> first;
   double mass = 0.0;
   for (const Landing& landing : landings_) {
-    if (mass >= place_share * g_.released_mass) break;
+    if (mass >= place_mass()) break;
     mass += landing.mass;
     first.push_back(landing);
   }
@@ -71,7 +63,7 @@ std::vector<LaunchGauge::Landing> LaunchGauge::first_landings() const {
 }
 
 std::optional<LaunchGauge::Impact> LaunchGauge::impact() const {
-  if (landed_mass_ < impact_share * g_.released_mass) return std::nullopt;
+  if (landed_mass_ < impact_mass()) return std::nullopt;
   Impact impact{0.0, 0.0, 0.0};
   std::vector<Landing> first = first_landings();
   double mass = 0.0, momentum = 0.0;
@@ -79,7 +71,7 @@ std::optional<LaunchGauge::Impact> LaunchGauge::impact() const {
   for (const Landing& landing : first) {
     mass += landing.mass;
     momentum += landing.mass * landing.speed;
-    if (!reached && mass >= impact_share * g_.released_mass) {
+    if (!reached && mass >= impact_mass()) {
       reached = true;
       impact.time = landing.time;
     }
@@ -97,7 +89,7 @@ std::optional<LaunchGauge::Impact> LaunchGauge::impact() const {
 }
 
 std::optional<LaunchGauge::Launch> LaunchGauge::launch() const {
-  if (landed_mass_ < impact_share * g_.released_mass) return std::nullopt;
+  if (landed_mass_ < impact_mass()) return std::nullopt;
   double mass = 0.0, height = 0.0, place = 0.0;
   Vec2 momentum;
   for (const Landing& landing : first_landings()) {

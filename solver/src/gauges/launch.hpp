@@ -10,9 +10,9 @@
 
 namespace parapet::solver {
 
-// All of it is judged by mass: the impact is when 0.5 % of the released mass has landed and its
-// place the median of the first 1 %, so that single droplets decide nothing. The launch is what
-// that same mass did when it passed the edge.
+// All of it is judged by mass: the impact is when impact_mass_share of the released mass has landed
+// and its place the median of the first launch_mass_share, so that single droplets decide nothing.
+// The launch is what that same mass did when it passed the edge.
 class LaunchGauge {
  public:
   struct Impact {
@@ -27,7 +27,7 @@ class LaunchGauge {
     double x;       // mean place of that [m]
   };
 
-  explicit LaunchGauge(const GaugeScene& g);
+  explicit LaunchGauge(const GaugeScene& g) : g_(g) {}
   // After every time step.
   void observe(const Fluid& fluid, double time);
   // Nothing when too little has landed.
@@ -35,7 +35,7 @@ class LaunchGauge {
   std::optional<Launch> launch() const;
   double landed_share() const { return landed_mass_ / g_.released_mass; }
   // Whether what is in the air beyond the first barrier can still change impact and launch: the
-  // first 1 % have not all landed, and with it there would be enough of them.
+  // first launch_mass_share have not all landed, and with it there would be enough of them.
   bool landing(const Fluid& fluid) const;
 
  private:
@@ -48,12 +48,13 @@ class LaunchGauge {
   };
 
   std::vector<Landing> first_landings() const;
+  double impact_mass() const { return g_.settings.impact_mass_share * g_.released_mass; }
+  double place_mass() const { return g_.settings.launch_mass_share * g_.released_mass; }
 
   const GaugeScene& g_;
-  double landing_height_;
   std::vector<char> passed_, landed_;   // [n_released]
   std::vector<Passage> passages_;       // [n_released], where passed
-  std::vector<double> approach_speed_;  // [n_released], negative until 20 mm above the bed
+  std::vector<double> approach_speed_;  // [n_released], negative until near the bed
   std::vector<Landing> landings_;
   double landed_mass_ = 0.0;
 };

@@ -9,8 +9,6 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double arrival_share = 0.005;  // of the released mass
-
 double energy_of_kilogramme(const Fluid& f, std::size_t i) {
   return 0.5 * (f.u[i] * f.u[i] + f.w[i] * f.w[i]);  // [J/kg]
 }
@@ -18,7 +16,8 @@ double energy_of_kilogramme(const Fluid& f, std::size_t i) {
 }  // namespace
 
 BarrierLine end_of_gauge(const GaugeScene& g) {
-  constexpr double window = 0.050;  // [m] of kinetic energy and front speed
+  const double window = std::max(g.length(g.settings.energy_window_ratio),
+                                 0.5 * g.length(g.settings.front_base_ratio));
   return {{g.gauge_x + window, 0.0}, {1.0, 0.0}};
 }
 
@@ -51,7 +50,7 @@ bool may_still_arrive(const GaugeScene& g, const BarrierLine& line, const Fluid&
     if (distance > 0.0 && std::sqrt(2.0 * energy_of_kilogramme(f, i)) * time >= distance)
       mass += f.mass[i];
   }
-  return mass >= arrival_share * g.released_mass;
+  return mass >= g.settings.arrival_mass_share * g.released_mass;
 }
 
 }  // namespace parapet::solver

@@ -15,8 +15,8 @@ BarrierLine end_of_gauge(const GaugeScene& g);
 // decide no metric.
 double live_energy(const GaugeScene& g, const Fluid& fluid, double droplets);
 
-// Whether 0.5 % of the released mass are upstream of the line and, each at its present speed, would
-// reach it within a time [s].
+// Whether arrival_mass_share of the released mass are upstream of the line and, each at its present
+// speed, would reach it within a time [s].
 bool may_still_arrive(const GaugeScene& g, const BarrierLine& line, const Fluid& fluid,
                       double time);
 

@@ -15,15 +15,35 @@
 
 namespace parapet::solver {
 
+// A reason for which a run may end without a metric.
+struct Absent {
+  std::string_view text;
+  Absence kind = Absence::does_not_exist;
+  bool may_come = false;  // a longer run could bring the metric
+};
+
+namespace absence {
+// Those that no gauge gives itself: see read().
+inline constexpr Absent too_coarse{
+    "fewer than 4 particles span its window: finer particles, or a wider window under `gauges`",
+    Absence::too_coarse};
+inline constexpr Absent too_few{
+    "fewer than 2 particles make up its share of the released mass: finer particles, or a larger "
+    "share under `gauges`",
+    Absence::too_coarse};
+inline constexpr Absent run_too_short{
+    "the run ended at its stop time while the flow could still bring it", Absence::run_too_short};
+}  // namespace absence
+
 // A value, or the reason why there is none: one of the entry's absent_when.
 struct Reading {
   Reading(double number) : value(number) {}
-  Reading(std::string_view reason) : absent_reason(reason) {}
-  Reading(const std::optional<double>& number, std::string_view reason)
-      : value(number), absent_reason(number ? std::string_view() : reason) {}
+  Reading(const Absent& reason) : absent(&reason) {}
+  Reading(const std::optional<double>& number, const Absent& reason)
+      : value(number), absent(number ? nullptr : &reason) {}
 
   std::optional<double> value;
-  std::string_view absent_reason;
+  const Absent* absent = nullptr;  // of static storage
 };
 
 // `barrier` counts from 0; it matters where every barrier has the metric.
@@ -35,10 +55,14 @@ struct MetricEntry {
   // The values that it can have at all, by its definition alone: what a surrogate may predict.
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
-  // Every reason for which a run may end without it; without one there is always a value.
-  std::array<std::string_view, 2> absent_when = {};
+  // Every reason that its gauge may give instead of a value.
+  std::array<const Absent*, 4> absent_when = {};
   std::string_view definition;
   Gauge gauge;
+  // The coarsest particles that resolve it, over H0, and the smallest share of the released mass
+  // that it looks at; nullptr: any.
+  double (*coarsest)(const GaugeSettings& settings) = nullptr;
+  double (*mass_share)(const GaugeSettings& settings) = nullptr;
   // Of a quantity that describes the state at the end, and creeps: the range of its values. The
   // others are settled by an event.
   double (*range)(const RunReadings& run) = nullptr;
@@ -69,6 +93,13 @@ void for_each_metric(std::size_t n_barriers, Visit visit) {
     for (const MetricEntry& entry : table.each_barrier) visit(barrier_key(entry, k), entry, k);
   }
 }
+
+// What a result says of the metric: the gauge's reading where the particles resolve it and the run
+// was long enough.
+Reading read(const MetricEntry& entry, const RunReadings& run, std::size_t barrier);
+
+// Every reason for which a result may lack the metric.
+std::vector<const Absent*> absent_when(const MetricEntry& entry);
 
 // All metrics of a run, in the order of results.
 std::vector<Metric> read_metrics(const RunReadings& run);

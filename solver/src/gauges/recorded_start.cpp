@@ -4,13 +4,18 @@
 #include <cmath>
 
 #include "channel_gauge.hpp"
+#include "instant.hpp"
+#include "quality.hpp"
 
 namespace parapet::solver {
 
 GaugeSight::GaugeSight(const GaugeScene& g, double reach) : nearest_x_(g.gauge_x) {
-  constexpr double gauges = 0.060;    // [m] upstream of a line is the farthest that a gauge looks
+  // what moves is looked at no farther upstream of a line than this
+  const GaugeSettings& s = g.settings;
+  const double gauges = 1.2 * g.length(std::max({s.energy_window_ratio, s.depth_window_ratio,
+                                                 s.run_up_window_ratio, s.arrival_window_ratio}));
   constexpr double wall_cells = 3.0;  // a wall is looked up in cells of the rows' reach
-  margin_ = std::max(gauges, wall_cells * reach);
+  margin_ = std::max({gauges, ramp_reach(g), wall_cells * reach});
   for (const Barrier& barrier : g.scene->barriers) {
     for (const Vec2 corner : barrier_outline(*g.scene, barrier)) {
       nearest_x_ = std::min(nearest_x_, corner.x);
@@ -45,7 +50,8 @@ RecordedStart::Sample channel_sample(const GaugeScene& g, const Flow& flow) {
           .front_x = front_position(g, f, flow.left_mass()),
           .max_speed = std::sqrt(fastest),
           .left_mass = flow.left_mass(),
-          .inside_walls = flow.particles_inside_walls()};
+          .inside_walls = flow.particles_inside_walls(),
+          .spray_share = spray_share(f)};
 }
 
 }  // namespace parapet::solver

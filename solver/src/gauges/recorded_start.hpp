@@ -30,6 +30,7 @@ struct RecordedStart {
     double max_speed;                         // [m/s]
     double left_mass;                         // [kg/m]
     std::int64_t inside_walls;                // particles
+    double spray_share;                       // of the mass
   };
   struct Step {
     double length, end;  // [s]

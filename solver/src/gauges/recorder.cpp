@@ -12,7 +12,7 @@
 namespace parapet::solver {
 namespace {
 
-GaugeScene gauge_scene(const Scene& scene, const Flow& flow) {
+GaugeScene gauge_scene(const Scene& scene, const Flow& flow, const GaugeSettings& settings) {
   GaugeScene g;
   g.scene = &scene;
   for (const Barrier& barrier : scene.barriers) {
@@ -29,6 +29,8 @@ GaugeScene gauge_scene(const Scene& scene, const Flow& flow) {
     g.released_mass += flow.fluid().mass[i];
   }
   g.spacing = flow.setup().numerics.spacing;
+  g.settings = settings;
+  g.units = event_units(scene, settings);
   return g;
 }
 
@@ -37,10 +39,15 @@ GaugeScene gauge_scene(const Scene& scene, const Flow& flow) {
 Recorder::Recorder(const Scene& scene, const Flow& flow, const RunOptions& options)
     : scene_(scene),
       options_(options),
-      g_(gauge_scene(scene_, flow)),
+      g_(gauge_scene(scene_, flow, options.gauges)),
       launch_(g_),
-      loads_(scene.barriers.size()),
-      arrival_(scene.barriers.size(), -1.0) {
+      loads_(scene.barriers.size(), {g_.time(options.gauges.slam_time_ratio),
+                                     g_.time(options.gauges.short_load_time_ratio),
+                                     g_.time(options.gauges.design_load_time_ratio)}),
+      arrival_(scene.barriers.size(), -1.0),
+      impulse_before_(scene.barriers.size()),
+      impulse_(scene.barriers.size()),
+      particles_(flow.fluid().n) {
   series_.columns = {"time_s",
                      "kinetic_energy_j_per_m",
                      "window_kinetic_energy_j_per_m",
@@ -55,10 +62,24 @@ Recorder::Recorder(const Scene& scene, const Flow& flow, const RunOptions& optio
   }
   for (std::size_t k = 1; k <= scene.barriers.size(); ++k) {
     const std::string b = "barrier_" + std::to_string(k) + "_";
-    for (const char* name : {"retention_efficiency", "run_up_height_m", "force_x_n_per_m",
-                             "force_z_n_per_m", "moment_nm_per_m"}) {
+    for (const char* name :
+         {"retention_efficiency", "run_up_height_m", "force_x_n_per_m", "force_z_n_per_m",
+          "moment_nm_per_m", "deflector_force_x_n_per_m", "deflector_force_z_n_per_m"}) {
       series_.columns.push_back(b + name);
     }
+  }
+}
+
+// What happens between samples.
+void Recorder::watch_events(const Flow& flow) {
+  const double now = flow.time();
+  for (std::size_t k = 0; k < arrival_.size(); ++k) {
+    const double end = arrival_[k] + g_.time(g_.settings.impulse_time_ratio);
+    if (arrival_[k] < 0.0 || impulse_[k] || now < end * (1.0 - 1e-12)) continue;
+    impulse_[k] = norm(loads_.impulse(k) - impulse_before_[k]);
+  }
+  if (options_.reading_time > 0.0 && !instant_ && now >= options_.reading_time * (1.0 - 1e-12)) {
+    instant_ = read_instant(g_, flow.fluid(), 2.0 * flow.smoothing_length());
   }
 }
 
@@ -69,7 +90,7 @@ void Recorder::sample(Flow& flow) {
 
 void Recorder::catch_up(const RecordedStart& start) {
   const Fluid nothing_in_sight;
-  const std::vector<BarrierImpulse> no_load(g_.lines.size());
+  const std::vector<BarrierImpulse> no_load(cells_per_barrier * g_.lines.size());
   auto step = start.steps.begin();
   for (const RecordedStart::Sample& sample : start.samples) {
     for (; step != start.steps.end() && step->end <= sample.time; ++step) {
@@ -83,6 +104,10 @@ void Recorder::catch_up(const RecordedStart& start) {
 void Recorder::add_sample(const RecordedStart::Sample& sample, const Fluid& f) {
   last_sample_ = sample;
   peak_energy_ = std::max(peak_energy_, sample.kinetic_energy);
+  if (sample.left_mass == 0.0) {
+    energy_gain_.observe(sample.kinetic_energy + sample.potential_energy);
+  }
+  spray_share_ = std::max(spray_share_, sample.spray_share);
   std::vector<double> row{sample.time,
                           sample.kinetic_energy,
                           window_kinetic_energy(g_, f),
@@ -97,18 +122,50 @@ void Recorder::add_sample(const RecordedStart::Sample& sample, const Fluid& f) {
   }
   const auto loads = loads_.read();
   for (std::size_t k = 0; k < g_.lines.size(); ++k) {
-    if (arrival_[k] < 0.0 && mass_share_at_line(g_, g_.lines[k], f) >= 0.005) {
+    if (arrival_[k] < 0.0 &&
+        mass_share_at_line(g_, g_.lines[k], f) >= g_.settings.arrival_mass_share) {
       arrival_[k] = sample.time;
+      impulse_before_[k] = loads_.impulse(k);
+      if (k == 0) {
+        approach_depth_ =
+            flow_depth_at(g_, f, g_.gauge_x - g_.length(g_.settings.front_clearance_ratio));
+      }
     }
     row.push_back(retention_efficiency(g_, g_.lines[k], f, sample.left_mass));
     row.push_back(run_up_height(g_, g_.lines[k], f));
-    row.push_back(loads[k].force.x);
-    row.push_back(loads[k].force.z);
-    row.push_back(loads[k].moment);
+    const BarrierLoad &stem = loads[cells_per_barrier * k],
+                      &deflector = loads[cells_per_barrier * k + 1];
+    row.push_back(stem.force.x + deflector.force.x);
+    row.push_back(stem.force.z + deflector.force.z);
+    row.push_back(stem.moment + deflector.moment);
+    row.push_back(deflector.force.x);
+    row.push_back(deflector.force.z);
   }
   series_.rows.push_back(std::move(row));
   inside_ = std::max(inside_, sample.inside_walls);
   if (options_.settled.enabled && !options_.until_rest) watch_metrics(sample.time);
+}
+
+bool Recorder::unfinished(const Flow& flow, StopReason stop_reason) const {
+  const bool cut_off = stop_reason != StopReason::metrics_final &&
+                       stop_reason != StopReason::settled && stop_reason != StopReason::drained;
+  // as long again could still bring something
+  return cut_off && can_still_change(flow, flow.time());
+}
+
+Quality Recorder::quality(const Flow& flow) const {
+  const double released =
+      0.5 * g_.released_mass * scene_.gravity * std::cos(scene_.slope) * scene_.reservoir_height;
+  const RunStatistics& statistics = flow.statistics();
+  Quality quality;
+  quality.energy_gain_ratio = energy_gain_.largest() / released;
+  quality.density_error_max = statistics.max_density_error;
+  quality.mass_spread = mass_spread(flow.fluid());
+  quality.spray_share_max = spray_share_;
+  quality.wall_contacts_per_particle =
+      static_cast<double>(statistics.wall_contacts) / static_cast<double>(particles_);
+  if (approach_depth_) quality.particles_across_approach = *approach_depth_ / g_.spacing;
+  return quality;
 }
 
 bool Recorder::all_moving(const Flow& flow) const {
@@ -155,21 +212,24 @@ std::vector<double> Recorder::column(const std::string& name) const {
 
 // A metric can change while material that it sees has energy, while the overflow is landing, and
 // while slow debris is still on its way to a place that it has not reached.
-bool Recorder::can_still_change(const Flow& flow) const {
+bool Recorder::can_still_change(const Flow& flow, double within) const {
   const Fluid& f = flow.fluid();
   const SettledRule& rule = options_.settled;
   // what passes unseen may not be more than what retention may move by
   const double energy = live_energy(g_, f, rule.retention_change);
   if (energy > rule.kinetic_energy_share * peak_energy_) return true;
   if (launch_.landing(f)) return true;
-  const double left = options_.stop_time - flow.time();
+  if (flow.time() < options_.reading_time) return true;
+  for (std::size_t k = 0; k < arrival_.size(); ++k) {
+    if (arrival_[k] >= 0.0 && !impulse_[k]) return true;
+  }
   if (g_.lines.empty()) {
     const BarrierLine end = end_of_gauge(g_);
     return front_position(g_, f, flow.left_mass()) < end.foot.x &&
-           may_still_arrive(g_, end, f, left);
+           may_still_arrive(g_, end, f, within);
   }
   for (std::size_t k = 0; k < g_.lines.size(); ++k) {
-    if (arrival_[k] < 0.0 && may_still_arrive(g_, g_.lines[k], f, left)) return true;
+    if (arrival_[k] < 0.0 && may_still_arrive(g_, g_.lines[k], f, within)) return true;
   }
   return false;
 }
@@ -186,7 +246,7 @@ bool Recorder::metrics_final(const Flow& flow) const {
   constexpr double quiet_share = 1.0 / 8.0;
   const double now = flow.time();
   return quiet_ && now - quiet_->since >= std::max(options_.settled.window, quiet_share * now) &&
-         !can_still_change(flow);
+         !can_still_change(flow, options_.stop_time - now);
 }
 
 std::optional<StopReason> Recorder::ended(const Flow& flow) const {
@@ -194,6 +254,7 @@ std::optional<StopReason> Recorder::ended(const Flow& flow) const {
   if (!rule.enabled || series_.rows.empty()) return std::nullopt;
   const double now = series_.rows.back().front();
   if (now < rule.earliest_time || now < rule.window) return std::nullopt;
+  if (now < options_.reading_time) return std::nullopt;
   if (options_.until_rest) return at_rest(now) ? std::optional(StopReason::settled) : std::nullopt;
   return metrics_final(flow) ? std::optional(StopReason::metrics_final) : std::nullopt;
 }

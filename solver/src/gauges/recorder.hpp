@@ -10,6 +10,7 @@
 #include "launch.hpp"
 #include "parapet/flow/flow.hpp"
 #include "parapet/solver/simulation.hpp"
+#include "quality.hpp"
 #include "recorded_start.hpp"
 #include "run_readings.hpp"
 
@@ -24,6 +25,7 @@ class Recorder {
   void after_step(Flow& flow) {
     launch_.observe(flow.fluid(), flow.time());
     loads_.observe(flow.take_impulses(), flow.last_time_step(), flow.time());
+    watch_events(flow);
     if (options_.profile) count_at_rest(flow.fluid());
   }
   void sample(Flow& flow);
@@ -38,7 +40,12 @@ class Recorder {
   const RecordedStart::Sample& last_sample() const { return last_sample_; }
   // After a sample: why the run may end there; nothing when it has to go on.
   std::optional<StopReason> ended(const Flow& flow) const;
-  std::vector<Metric> metrics() const;
+  // @param stop_reason why the run ended
+  std::vector<Metric> metrics(const Flow& flow, StopReason stop_reason) const;
+  // Of the flow at its end.
+  Quality quality(const Flow& flow) const;
+  // Whether metrics could still change when the run ended, for this reason.
+  bool unfinished(const Flow& flow, StopReason stop_reason) const;
   Series take_series() { return std::move(series_); }
   std::int64_t max_particles_inside_walls() const { return inside_; }
   // What a profile says of the run beyond its times. Needs RunOptions::profile.
@@ -57,10 +64,13 @@ class Recorder {
     RunReadings readings;
   };
 
+  void watch_events(const Flow& flow);
   void add_sample(const RecordedStart::Sample& sample, const Fluid& fluid);
   RunReadings readings() const;
+  BarrierLoad load_at_rest(std::size_t barrier) const;
   void count_at_rest(const Fluid& fluid);
-  bool can_still_change(const Flow& flow) const;
+  // Whether a metric may still change within a time [s].
+  bool can_still_change(const Flow& flow, double within) const;
   void watch_metrics(double time);
   bool metrics_final(const Flow& flow) const;
   bool at_rest(double now) const;
@@ -74,9 +84,17 @@ class Recorder {
   LoadGauge loads_;
   Series series_;
   std::vector<double> arrival_;  // [n_barriers] s, negative until then
+  // [n_barriers] impulse at the arrival, and from there over impulse_time once that is over [N s/m]
+  std::vector<Vec2> impulse_before_;
+  std::vector<std::optional<double>> impulse_;
+  std::optional<InstantReadings> instant_;
   RecordedStart::Sample last_sample_{};
+  std::int64_t particles_ = 0;  // released
   std::int64_t inside_ = 0;
   double peak_energy_ = 0.0;
+  EnergyGain energy_gain_;
+  double spray_share_ = 0.0;              // largest
+  std::optional<double> approach_depth_;  // when the flow meets the first barrier [m]
   std::optional<Quiet> quiet_;
   std::vector<Moment> moments_;
   std::int64_t particle_steps_ = 0, particle_steps_at_rest_ = 0;

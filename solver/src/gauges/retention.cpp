@@ -3,14 +3,6 @@
 #include <algorithm>
 
 namespace parapet::solver {
-namespace {
-
-constexpr double run_up_depth = 0.040;       // [m] looked at upstream of the line
-constexpr double run_up_mass_share = 0.001;  // of the released mass, so that droplets do not decide
-constexpr double arrival_depth = 0.020;      // [m]
-
-}  // namespace
-
 double retention_efficiency(const GaugeScene& g, const BarrierLine& line, const Fluid& f,
                             double left_mass) {
   // what has passed, not what is upstream: 1 to the bit while nothing has
@@ -22,13 +14,14 @@ double retention_efficiency(const GaugeScene& g, const BarrierLine& line, const 
 }
 
 double run_up_height(const GaugeScene& g, const BarrierLine& line, const Fluid& f) {
+  const double window = g.length(g.settings.run_up_window_ratio);
   struct Parcel {
     double z, mass;
   };
   std::vector<Parcel> parcels;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     const double s = line.offset({f.x[i], f.z[i]});
-    if (s < 0.0 && s > -run_up_depth) parcels.push_back({f.z[i], f.mass[i]});
+    if (s < 0.0 && s > -window) parcels.push_back({f.z[i], f.mass[i]});
   }
   std::sort(parcels.begin(), parcels.end(), [](const Parcel& a, const Parcel& b) {
     return a.z > b.z || (a.z == b.z && a.mass > b.mass);
@@ -36,16 +29,17 @@ double run_up_height(const GaugeScene& g, const BarrierLine& line, const Fluid& 
   double mass = 0.0;
   for (const Parcel& p : parcels) {
     mass += p.mass;
-    if (mass >= run_up_mass_share * g.released_mass) return p.z;
+    if (mass >= g.settings.run_up_mass_share * g.released_mass) return p.z;
   }
   return 0.0;
 }
 
 double mass_share_at_line(const GaugeScene& g, const BarrierLine& line, const Fluid& f) {
+  const double window = g.length(g.settings.arrival_window_ratio);
   double mass = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     const double s = line.offset({f.x[i], f.z[i]});
-    if (s < 0.0 && s > -arrival_depth) mass += f.mass[i];
+    if (s < 0.0 && s > -window) mass += f.mass[i];
   }
   return mass / g.released_mass;
 }

@@ -10,11 +10,11 @@ namespace parapet::solver {
 double retention_efficiency(const GaugeScene& g, const BarrierLine& line, const Fluid& fluid,
                             double left_mass);
 
-// Height above the bed that 0.1 % of the released mass exceeds within 40 mm upstream of the line;
-// 0 while there is less than that [m].
+// Height above the bed that run_up_mass_share of the released mass exceeds within run_up_window
+// upstream of the line; 0 while there is less than that [m].
 double run_up_height(const GaugeScene& g, const BarrierLine& line, const Fluid& fluid);
 
-// Mass within 20 mm upstream of the line over the mass released.
+// Mass within arrival_window upstream of the line over the mass released.
 double mass_share_at_line(const GaugeScene& g, const BarrierLine& line, const Fluid& fluid);
 
 }  // namespace parapet::solver

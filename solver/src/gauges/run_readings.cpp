@@ -35,10 +35,12 @@ Rise largest_rise(const std::vector<double>& values, std::size_t from) {
 
 }  // namespace
 
-FrontPassage front_passage(const std::vector<double>& time, const std::vector<double>& front,
-                           double gauge_x, bool open_channel) {
-  constexpr double base = 0.1, clear_of_barrier = 0.15;  // [m]
-  const double place = open_channel ? gauge_x : gauge_x - clear_of_barrier;
+FrontPassage front_passage(const GaugeScene& g, const std::vector<double>& time,
+                           const std::vector<double>& front) {
+  const bool open_channel = g.lines.empty();
+  const double base = g.length(g.settings.front_base_ratio);
+  const double place =
+      open_channel ? g.gauge_x : g.gauge_x - g.length(g.settings.front_clearance_ratio);
   const double arrival = passing_time(time, front, place);
   const double from = passing_time(time, front, open_channel ? place - 0.5 * base : place - base);
   const double to = passing_time(time, front, open_channel ? place + 0.5 * base : place);
@@ -49,14 +51,13 @@ FrontPassage front_passage(const std::vector<double>& time, const std::vector<do
 }
 
 std::optional<EnergyPhases> energy_phases(const std::vector<double>& time,
-                                          const std::vector<double>& energy, double met) {
-  constexpr double meeting = 0.1;           // [s] the first peak comes no later than this
+                                          const std::vector<double>& energy, double latest_peak) {
   constexpr double noticeable_rise = 0.02;  // of the largest energy
   constexpr double plateau_share = 0.05;
   const double largest = *std::max_element(energy.begin(), energy.end());
   if (largest <= 0.0) return std::nullopt;
   std::size_t first = 0;
-  for (std::size_t r = 0; r < energy.size() && (met < 0.0 || time[r] <= met + meeting); ++r) {
+  for (std::size_t r = 0; r < energy.size() && time[r] <= latest_peak; ++r) {
     if (energy[r] > energy[first]) first = r;
   }
   EnergyPhases phases;
@@ -70,13 +71,14 @@ std::optional<EnergyPhases> energy_phases(const std::vector<double>& time,
   return phases;
 }
 
-double peak_loss_rate(const std::vector<double>& time, const std::vector<double>& retained) {
-  constexpr double window = 0.020;  // [s]
+double peak_loss_rate(const std::vector<double>& time, const std::vector<double>& retained,
+                      double window) {
+  const double enough = window * (1.0 - 1e-9);
   double peak = 0.0;
   std::size_t from = 0;
   for (std::size_t to = 1; to < time.size(); ++to) {
-    while (from + 1 < to && time[to] - time[from + 1] >= window - 1e-12) ++from;
-    if (time[to] - time[from] < window - 1e-12) continue;
+    while (from + 1 < to && time[to] - time[from + 1] >= enough) ++from;
+    if (time[to] - time[from] < enough) continue;
     peak = std::max(peak, (retained[from] - retained[to]) / (time[to] - time[from]));
   }
   return peak;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "barrier_load.hpp"
+#include "instant.hpp"
 #include "launch.hpp"
 
 namespace parapet::solver {
@@ -20,23 +21,24 @@ struct EnergyPhases {
   std::optional<double> plateau_time;  // [s]
 };
 
-// `met` is the time at which the flow meets the first barrier [s], negative in an open channel.
+// `latest_peak` is the time up to which the first peak is looked for [s].
 // Nothing when nothing moved.
 std::optional<EnergyPhases> energy_phases(const std::vector<double>& time,
-                                          const std::vector<double>& energy, double met);
+                                          const std::vector<double>& energy, double latest_peak);
 
 // Time at which the front passes a place, and its speed there; each where it was seen.
 struct FrontPassage {
   std::optional<double> arrival, speed;  // [s], [m/s]
 };
 
-// Front speed over 0.1 m: centred on the gauge of an open channel, ending 0.15 m upstream of a
-// barrier's foot, where neither the stem nor a deflector is in the way yet.
-FrontPassage front_passage(const std::vector<double>& time, const std::vector<double>& front,
-                           double gauge_x, bool open_channel);
+// Front speed over front_base: centred on the gauge of an open channel, ending front_clearance
+// upstream of a barrier's foot, where neither the stem nor a deflector is in the way yet.
+FrontPassage front_passage(const GaugeScene& g, const std::vector<double>& time,
+                           const std::vector<double>& front);
 
-// Largest rate at which `retained` (a share) falls over at least 20 ms [1/s].
-double peak_loss_rate(const std::vector<double>& time, const std::vector<double>& retained);
+// Largest rate at which `retained` (a share) falls over at least `window` [1/s].
+double peak_loss_rate(const std::vector<double>& time, const std::vector<double>& retained,
+                      double window);
 
 struct DeepestFlow {
   double depth, time;  // [m], [s]
@@ -46,10 +48,18 @@ struct BarrierReadings {
   double retained = 0.0;          // share of the released mass, at the end
   double run_up = 0.0;            // largest [m]
   std::optional<double> arrival;  // [s]
-  PeakLoad peak;
+  BarrierLoads loads;
+  std::optional<double> load_height;   // along the stem, where the design load acts [m]
+  std::optional<double> impulse;       // over impulse_time from the arrival on [N s/m]
+  std::optional<BarrierLoad> at_rest;  // mean over the end of a run until rest
 };
 
 struct RunReadings {
+  GaugeSettings settings;
+  double event_length = 0.0;          // H0 [m]
+  double spacing = 0.0;               // of the particles [m]
+  double particles = 0.0;             // released
+  bool unfinished = false;            // the run ended while metrics could still change
   double gravity = 0.0, slope = 0.0;  // [m/s2], [rad]
   double released_volume = 0.0;       // [m3/m]
   FrontPassage front;
@@ -63,6 +73,8 @@ struct RunReadings {
   double dead_zone_length = 0.0;           // [m]
   std::optional<LaunchGauge::Impact> impact;
   std::optional<LaunchGauge::Launch> launch;
+  std::optional<InstantReadings> instant;  // at reading_time
+  bool instant_wanted = false;
   std::vector<BarrierReadings> barriers;
 };
 

@@ -10,16 +10,22 @@ namespace {
 
 using designs::Statistic;
 
-/// A metric's value under one event; `value` empty: at the end that absent_is_good says.
+/// A metric's value under one event; `value` empty: at the end that absent_is_good says, and at the
+/// bad end where it is unknown.
 struct Weighted {
   std::optional<double> value;
   double weight = 1.0;
+  bool unknown = false;  // there is none because the run was too short or too coarse to tell
 };
 
 const solver::Metric* find_metric(const Event& event, const std::string& key) {
   const auto found = std::find_if(event.metrics.begin(), event.metrics.end(),
                                   [&](const solver::Metric& metric) { return metric.key == key; });
   return found == event.metrics.end() ? nullptr : &*found;
+}
+
+bool is_unknown(solver::Absence absence) {
+  return absence == solver::Absence::run_too_short || absence == solver::Absence::too_coarse;
 }
 
 /// The values by event; says in `result` whether and why one is absent.
@@ -39,11 +45,16 @@ std::vector<Weighted> weighted_values(const Quantity& quantity, const std::vecto
         if (!event.name.empty()) result.reason += " (" + event.name + ")";
       }
       result.absent = true;
-      one.value = quantity.value_when_absent;
+      one.unknown = metric != nullptr && is_unknown(metric->absence);
+      if (!one.unknown) one.value = quantity.value_when_absent;
     }
     values.push_back(one);
   }
   return values;
+}
+
+bool is_good(const Quantity& quantity, const Weighted& without_value) {
+  return quantity.absent_is_good && !without_value.unknown;
 }
 
 std::optional<double> mean(const Quantity& quantity, const std::vector<Weighted>& values) {
@@ -54,11 +65,12 @@ std::optional<double> mean(const Quantity& quantity, const std::vector<Weighted>
   for (const Weighted& one : values) {
     all += one.weight;
     complete = complete && one.value;
+    if (!one.value && !is_good(quantity, one)) return std::nullopt;
     if (!one.value) continue;
     sum += one.weight * *one.value;
     weight += one.weight;
   }
-  if (!(weight > 0.0) || (!complete && !quantity.absent_is_good)) return std::nullopt;
+  if (!(weight > 0.0)) return std::nullopt;
   return complete && all == 1.0 ? sum : sum / weight;
 }
 
@@ -66,7 +78,7 @@ std::optional<double> worst(const Quantity& quantity, const std::vector<Weighted
   std::optional<double> result;
   for (const Weighted& one : values) {
     if (!one.value) {
-      if (!quantity.absent_is_good) return std::nullopt;
+      if (!is_good(quantity, one)) return std::nullopt;
       continue;
     }
     if (!result || (quantity.high_is_good ? *one.value < *result : *one.value > *result)) {
@@ -76,22 +88,23 @@ std::optional<double> worst(const Quantity& quantity, const std::vector<Weighted
   return result;
 }
 
-/// The first value, from the good end, up to which the weights add up to the quantile.
-std::optional<double> quantile(const Quantity& quantity, std::vector<Weighted> values) {
+/// The event, from the good end, up to which the weights add up to the quantile.
+Weighted quantile(const Quantity& quantity, std::vector<Weighted> values) {
   // Weights such as 1/8 eight times add up to the quantile 0.75 exactly or nearly so.
   constexpr double rounding = 1e-12;
   std::stable_sort(values.begin(), values.end(), [&](const Weighted& a, const Weighted& b) {
-    if (!a.value || !b.value) {
-      return quantity.absent_is_good ? !a.value && b.value : a.value && !b.value;
-    }
+    const auto rank = [&](const Weighted& one) {  // of the good end, the values, the bad end
+      return one.value ? 1 : is_good(quantity, one) ? 0 : 2;
+    };
+    if (!a.value || !b.value) return rank(a) < rank(b);
     return quantity.high_is_good ? *a.value > *b.value : *a.value < *b.value;
   });
   double sum = 0.0;
   for (const Weighted& one : values) {
     sum += one.weight;
-    if (sum >= quantity.quantile - rounding) return one.value;
+    if (sum >= quantity.quantile - rounding) return one;
   }
-  return values.empty() ? std::nullopt : values.back().value;
+  return values.empty() ? Weighted{} : values.back();
 }
 
 double probability(const Quantity& quantity, const std::vector<Weighted>& values) {
@@ -100,7 +113,7 @@ double probability(const Quantity& quantity, const std::vector<Weighted>& values
     all += one.weight;
     const bool good = one.value ? (!quantity.lower || *one.value >= *quantity.lower) &&
                                       (!quantity.upper || *one.value <= *quantity.upper)
-                                : quantity.absent_is_good;
+                                : is_good(quantity, one);
     if (good) within += one.weight;
   }
   return all > 0.0 ? within / all : 0.0;
@@ -136,13 +149,18 @@ QuantityValue quantity_value(const Quantity& quantity, const std::vector<Event>&
     case Statistic::worst:
       result.value = worst(quantity, values);
       break;
-    case Statistic::quantile:
-      result.value = quantile(quantity, values);
-      break;
+    case Statistic::quantile: {
+      const Weighted place = quantile(quantity, values);
+      result.value = place.value;
+      result.unknown = place.unknown;
+      return result;
+    }
     case Statistic::probability:
       result.value = probability(quantity, values);
       break;
   }
+  result.unknown = !result.value && std::any_of(values.begin(), values.end(),
+                                                [](const Weighted& one) { return one.unknown; });
   return result;
 }
 
@@ -226,7 +244,13 @@ std::vector<solver::Metric> mean_metrics(const std::vector<Event>& events) {
                                                   .value_when_absent = {},
                                                   .absent_is_good = true},
                                                  events);
-      means.push_back({metric.key, value.value, value.value ? "" : value.reason});
+      solver::Metric mean{.key = metric.key, .value = value.value, .absent_reason = {}};
+      if (!mean.value) {
+        mean.absent_reason = value.reason;
+        mean.absence =
+            value.unknown ? solver::Absence::run_too_short : solver::Absence::does_not_exist;
+      }
+      means.push_back(std::move(mean));
     }
   }
   return means;

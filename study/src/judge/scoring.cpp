@@ -49,8 +49,9 @@ std::vector<LimitedValue> limited_values(const designs::StudySpec& study,
   }
   std::vector<LimitedValue> result;
   for (const QuantityLimit& limit : constraint_quantities(study, constraint)) {
-    result.push_back({quantity_value(limit.quantity, events).value, limit.lower, limit.upper,
-                      limit.scale, constraint.satisfied_when_absent});
+    const QuantityValue found = quantity_value(limit.quantity, events);
+    result.push_back({found.value, limit.lower, limit.upper, limit.scale,
+                      constraint.satisfied_when_absent && !found.unknown});
   }
   return result;
 }

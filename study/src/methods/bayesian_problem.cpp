@@ -66,7 +66,7 @@ class MetricList {
 
   std::size_t of(Quantity quantity) {
     // Where there is always a value, two goals differ in nothing by what they say of its absence.
-    if (!may_be_absent(quantity.metric)) {
+    if (!may_not_exist(quantity.metric)) {
       quantity.absent_is_good = false;
       quantity.value_when_absent.reset();
     }
@@ -103,10 +103,10 @@ class MetricList {
     return found == study.base_case.end() ? 0 : static_cast<int>(found->size());
   }
 
-  bool may_be_absent(const std::string& key) const {
+  bool may_not_exist(const std::string& key) const {
     const auto found = std::find_if(catalog_.begin(), catalog_.end(),
                                     [&](const auto& info) { return info.key == key; });
-    return found == catalog_.end() || found->may_be_absent();
+    return found == catalog_.end() || found->may_not_exist;
   }
 
   const designs::StudySpec& study_;
@@ -261,7 +261,10 @@ bayesian::Observation observation(const designs::StudySpec& study, const SearchP
   const std::vector<Event> events = events_of(record);
   for (std::size_t k = 0; k < problem.metrics.size(); ++k) {
     if (!record.ok || !problem.metrics[k].expression.empty()) continue;
-    result.values[k] = quantity_value(problem.metrics[k].quantity, events).value;
+    const QuantityValue found = quantity_value(problem.metrics[k].quantity, events);
+    result.values[k] = found.value;
+    // a run that could not tell is no satisfied limit
+    result.ok = result.ok && !found.unknown;
   }
   result.seconds = nominal_seconds(record.particle_steps);
   // A budget of finest runs counts particle steps.

@@ -181,8 +181,9 @@ LoadedStudy load_study_folder(const std::filesystem::path& folder) {
   LoadedStudy study = reading(file, [&] {
     return LoadedStudy{
         .folder = folder,
-        .spec = designs::parse_study(designs::with_visible_texts(state.value("spec", Json())),
-                                     file.string() + " /spec"),
+        .spec = designs::parse_study(
+            designs::with_present_names(designs::with_visible_texts(state.value("spec", Json()))),
+            file.string() + " /spec"),
         .spec_hash = state.value("spec_hash", ""),
         .provenance = state.value("provenance", Json()),
         .state = {},

@@ -1,5 +1,7 @@
 #include "parapet/study/design_run.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "parapet/records/hashes.hpp"
@@ -50,6 +52,24 @@ void DesignRun::fail(records::EvaluationRecord& record, const std::string& reaso
   record.constraints = score_expressions(study_, design_);
 }
 
+namespace {
+
+/// Adds an event's warnings; of a key that is there already, the one farther beyond its limit.
+void join(std::vector<solver::Warning>& all, const records::ScenarioRecord& event) {
+  for (solver::Warning warning : event.warnings) {
+    if (!event.name.empty()) warning.text += " (" + event.name + ")";
+    const auto known = std::find_if(all.begin(), all.end(),
+                                    [&](const auto& one) { return one.key == warning.key; });
+    if (known == all.end()) {
+      all.push_back(std::move(warning));
+    } else if (std::abs(warning.value - warning.limit) > std::abs(known->value - known->limit)) {
+      *known = std::move(warning);
+    }
+  }
+}
+
+}  // namespace
+
 records::EvaluationRecord DesignRun::record() const {
   records::EvaluationRecord record;
   record.design = design_;
@@ -69,6 +89,7 @@ records::EvaluationRecord DesignRun::record() const {
     if (!one.ok && problem.empty()) {
       problem = scenario(k) == nullptr ? one.reason : "scenario " + one.name + ": " + one.reason;
     }
+    join(record.warnings, one);
     if (one.ok || scenario(k) == nullptr) events.push_back({one.name, one.weight, one.metrics});
     if (scenario(k) != nullptr) record.scenarios.push_back(std::move(one));
   }

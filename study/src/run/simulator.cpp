@@ -23,8 +23,8 @@ double thread_seconds() {
 
 Json simulation_json(const Json& result) {
   Json json = Json::object();
-  for (const char* key :
-       {"status", "reason", "stop_reason", "stop_time_s", "mass", "statistics", "timing"}) {
+  for (const char* key : {"status", "reason", "stop_reason", "stop_time_s", "quality", "warnings",
+                          "mass", "statistics", "timing"}) {
     json[key] = result.at(key);
   }
   return json;
@@ -38,6 +38,7 @@ records::Simulation from_result(const designs::CaseSpec& spec, int threads,
   simulation.reason = result.reason;
   simulation.stop_reason = solver::to_string(result.stop_reason);
   simulation.metrics = result.metrics;
+  simulation.warnings = result.warnings;
   simulation.wall_time = result.statistics.wall_time;
   simulation.particle_steps = static_cast<double>(result.mass.particles_released) *
                               static_cast<double>(result.statistics.steps);

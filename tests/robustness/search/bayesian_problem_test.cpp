@@ -15,7 +15,7 @@ TEST(StudyAsSearchProblem, SharesMetricsBetweenGoalsAndKeepsFormulasExact) {
   json["objectives"].push_back(
       Json::parse(R"({"name": "height", "expression": "upstream_height_m", "goal": "minimize"})"));
   json["constraints"].push_back(
-      Json::parse(R"({"metric": "barrier_1_peak_force_n_per_m", "upper": 3, "lower": 0})"));
+      Json::parse(R"({"metric": "barrier_1_slam_force_n_per_m", "upper": 3, "lower": 0})"));
   const auto study = parsed(json);
   const auto problem = study::make_search_problem(study);
   // With one event a worst value is the value: objective and constraint on the force are one.
@@ -35,7 +35,7 @@ TEST(StudyAsSearchProblem, SharesMetricsBetweenGoalsAndKeepsFormulasExact) {
 TEST(StudyAsSearchProblem, WorstCaseWithTwoLimitsIsTwoQuantities) {
   Json json = fake_study_with_scenarios();
   json["constraints"].push_back(
-      Json::parse(R"({"metric": "barrier_1_peak_force_n_per_m", "upper": 3, "lower": 0.01})"));
+      Json::parse(R"({"metric": "barrier_1_slam_force_n_per_m", "upper": 3, "lower": 0.01})"));
   const auto study = parsed(json);
   const auto problem = study::make_search_problem(study);
   ASSERT_EQ(problem.problem.limits.size(), 3U);
@@ -51,7 +51,7 @@ TEST(StudyAsSearchProblem, WorstCaseWithTwoLimitsIsTwoQuantities) {
 TEST(StudyAsSearchProblem, NoiseOfAMeanShrinksWithTheWeightsAndSharesStayShares) {
   Json json = fake_study_with_scenarios();
   json["fidelity"] = Json::parse(R"({"spacings_m": [0.01, 0.02], "cpu_time_s": [10, 1],
-    "noise": {"barrier_1_peak_force_n_per_m": [1, 2], "retention_efficiency": [0.01, 0.02]}})");
+    "noise": {"barrier_1_slam_force_n_per_m": [1, 2], "retention_efficiency": [0.01, 0.02]}})");
   json["objectives"].push_back(Json::parse(
       R"({"name": "held", "metric": "launch_length_m", "statistic": "probability", "upper": 0.5,
           "value_when_absent": 0})"));
@@ -114,7 +114,7 @@ TEST(StudyAsSearchProblem, ObservationsHaveRepeatableCosts) {
   record.spacing = 0.01;
   record.cpu_time = 123.0;
   record.particle_steps = 2e6;
-  record.metrics = {{"barrier_1_peak_force_n_per_m", 4.0, ""},
+  record.metrics = {{"barrier_1_slam_force_n_per_m", 4.0, ""},
                     {"launch_length_m", {}, "nothing overflows"},
                     {"retention_efficiency", 0.9, ""}};
   const auto seen = study::observation(study, problem, record);

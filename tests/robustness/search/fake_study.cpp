@@ -16,7 +16,7 @@ Json fake_study() {
   // Nothing is simulated, but every design must give a scene: none too low to be resolved.
   study["case"]["numerics"]["spacing_m"] = 0.01;
   study["objectives"] = Json::parse(R"([
-    {"metric": "barrier_1_peak_force_n_per_m", "goal": "minimize"},
+    {"metric": "barrier_1_slam_force_n_per_m", "goal": "minimize"},
     {"metric": "launch_length_m", "goal": "minimize", "value_when_absent": 0}])");
   study["constraints"] = Json::parse(R"json([
     {"name": "corner", "expression": "deflector_angle_deg / 60 + (upstream_height_m - 0.04) / 0.06",
@@ -71,7 +71,7 @@ records::Simulation FakeSimulator::operator()(const study::SimulationTask& task,
       task.scenario.empty() ? 0.0 : task.spec.scene.material.yield_stress / 1000.0;
   simulation.ok = !(state_->behaviour.fails && state_->behaviour.fails(task.design));
   if (!simulation.ok) simulation.reason = "it broke";
-  simulation.metrics = {{"barrier_1_peak_force_n_per_m", a * a + h * h + stress, ""},
+  simulation.metrics = {{"barrier_1_slam_force_n_per_m", a * a + h * h + stress, ""},
                         {"launch_length_m", (1 - a) * (1 - a) + h * h, ""},
                         {"retention_efficiency", 1 - h / 2, ""}};
   simulation.wall_time = 0.5;

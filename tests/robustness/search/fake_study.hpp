@@ -16,7 +16,7 @@
 namespace parapet::test {
 
 /// Two variables a and h, each scaled to [0, 1], and two objectives to be minimised:
-///   f1 = a^2 + h^2 (barrier_1_peak_force_n_per_m), f2 = (1 - a)^2 + h^2 (launch_length_m).
+///   f1 = a^2 + h^2 (barrier_1_slam_force_n_per_m), f2 = (1 - a)^2 + h^2 (launch_length_m).
 /// The Pareto set is h = 0, where sqrt(f1) + sqrt(f2) = 1.
 /// A limit on retention_efficiency = 1 - h / 2 rules out h > 0.8; a formula a + h > 1.7.
 designs::Json fake_study();

@@ -109,7 +109,7 @@ std::vector<Event> forces(double first, double second, double third,
   for (std::size_t k = 0; k < 3; ++k) {
     result.push_back({"event",
                       weights[k],
-                      {{"barrier_1_peak_force_n_per_m", values[k], ""},
+                      {{"barrier_1_slam_force_n_per_m", values[k], ""},
                        {"launch_length_m", launch, launch ? "" : "nothing overflows"},
                        {"retention_efficiency", 0.9, ""}}});
   }
@@ -125,13 +125,13 @@ Json study_with(const std::string& objectives, const std::string& constraints) {
   return json;
 }
 
-constexpr const char* force = R"([{"metric": "barrier_1_peak_force_n_per_m", "goal": "minimize"}])";
+constexpr const char* force = R"([{"metric": "barrier_1_slam_force_n_per_m", "goal": "minimize"}])";
 
 TEST(ScenarioScoring, ObjectivesOfEveryKindAddUp) {
   const auto study = parsed(study_with(R"json([
-    {"metric": "barrier_1_peak_force_n_per_m", "goal": "minimize", "statistic": "worst"},
-    {"name": "mean_force", "metric": "barrier_1_peak_force_n_per_m", "goal": "minimize", "weight": 2},
-    {"name": "strong", "metric": "barrier_1_peak_force_n_per_m", "goal": "maximize",
+    {"metric": "barrier_1_slam_force_n_per_m", "goal": "minimize", "statistic": "worst"},
+    {"name": "mean_force", "metric": "barrier_1_slam_force_n_per_m", "goal": "minimize", "weight": 2},
+    {"name": "strong", "metric": "barrier_1_slam_force_n_per_m", "goal": "maximize",
      "statistic": "probability", "lower": 1.5},
     {"name": "height", "expression": "upstream_height_m * 10", "goal": "minimize"}])json",
                                        "[]"));
@@ -153,7 +153,7 @@ TEST(ScenarioScoring, ObjectivesOfEveryKindAddUp) {
 
 TEST(ScenarioScoring, WorstCaseConstraintNamesTheNearerLimit) {
   const auto study = parsed(study_with(force, R"([
-    {"metric": "barrier_1_peak_force_n_per_m", "lower": 0.9, "upper": 4, "scale": 2}])"));
+    {"metric": "barrier_1_slam_force_n_per_m", "lower": 0.9, "upper": 4, "scale": 2}])"));
   const auto score = study::score(study, design, forces(1.0, 2.0, 3.0));
   ASSERT_EQ(score.metric_violations.size(), 2U);
   EXPECT_NEAR(score.metric_violations[0], (0.9 - 1.0) / 2.0, 1e-15) << "the lowest counts";
@@ -170,7 +170,7 @@ TEST(ScenarioScoring, WorstCaseConstraintNamesTheNearerLimit) {
 
 TEST(ScenarioScoring, ProbabilityConstraintIsOneLimit) {
   const auto study = parsed(study_with(force, R"([
-    {"metric": "barrier_1_peak_force_n_per_m", "upper": 2, "lower": 0,
+    {"metric": "barrier_1_slam_force_n_per_m", "upper": 2, "lower": 0,
      "statistic": "probability", "quantile": 0.75}])"));
   EXPECT_EQ(study::metric_limit_count(study), 1);
   const auto met = study::score(study, design, forces(1.0, 2.0, 3.0));
@@ -198,6 +198,50 @@ TEST(ScenarioScoring, AbsentMetricOfAConstraintCountsAsTheSpecSays) {
   EXPECT_FALSE(replaced.feasible);
   EXPECT_NEAR(replaced.metric_violations[0], (0.5 - 0.4) / 0.4, 1e-15);
   EXPECT_EQ(replaced.constraints[0].value, 0.5);
+}
+
+// What a longer or finer run would tell is no value that does not exist.
+TEST(ScenarioScoring, AnUnknownMetricIsNeverReplacedNorGood) {
+  const auto with = [](const std::string& more) {
+    return parsed(
+        study_with(force, R"([{"metric": "launch_length_m", "upper": 0.4)" + more + "}]"));
+  };
+  auto unknown = forces(1.0, 2.0, 3.0, std::nullopt);
+  for (study::Event& event : unknown) {
+    for (solver::Metric& metric : event.metrics) {
+      if (!metric.value) metric.absence = solver::Absence::run_too_short;
+    }
+  }
+  for (const char* more :
+       {"", R"(, "value_when_absent": 0.1)", R"(, "satisfied_when_absent": true)"}) {
+    const auto score = study::score(with(more), design, unknown);
+    EXPECT_FALSE(score.feasible) << more;
+    EXPECT_EQ(score.metric_violations, std::vector<double>{1.0}) << more;
+  }
+}
+
+TEST(Statistics, AnUnknownValueStandsAtTheBadEnd) {
+  auto values = events({1.0, 2.0, 3.0, std::nullopt});
+  values.back().metrics.front().absence = solver::Absence::too_coarse;
+  for (const Statistic statistic : {Statistic::mean, Statistic::worst, Statistic::quantile}) {
+    Quantity any = quantity(statistic);
+    any.absent_is_good = true;
+    any.value_when_absent = 0.0;
+    const auto found = quantity_value(any, values);
+    EXPECT_FALSE(found.value);
+    EXPECT_TRUE(found.unknown);
+    values.back().metrics.front().absence = solver::Absence::does_not_exist;
+    EXPECT_TRUE(quantity_value(any, values).value);
+    values.back().metrics.front().absence = solver::Absence::too_coarse;
+  }
+  Quantity at = quantity(Statistic::quantile);
+  at.absent_is_good = true;
+  at.quantile = 0.9;  // the events with a value have so much weight
+  EXPECT_EQ(quantity_value(at, values).value, 3.0);
+  EXPECT_FALSE(quantity_value(at, values).unknown);
+  at.statistic = Statistic::probability;
+  at.upper = 100.0;
+  EXPECT_NEAR(*quantity_value(at, values).value, 0.9, 1e-15);
 }
 
 TEST(ScenarioScoring, FormulaOfAnInactiveVariableCountsItAsNought) {

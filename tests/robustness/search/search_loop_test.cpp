@@ -250,7 +250,7 @@ TEST_F(SearchLoop, LogHoldsEveryEventAndTheirStatistics) {
     // 80 % of the events, by weight, are soft or usual: the quantile is the usual one's.
     EXPECT_NEAR(line["objectives"][0]["value"].get<double>(), a * a + h * h + 0.1, 1e-12);
     // 0.5 0.05 + 0.3 0.1 + 0.2 0.2
-    EXPECT_NEAR(line["metrics"]["barrier_1_peak_force_n_per_m"].get<double>(),
+    EXPECT_NEAR(line["metrics"]["barrier_1_slam_force_n_per_m"].get<double>(),
                 a * a + h * h + 0.095, 1e-12);
     EXPECT_EQ(line["cpu_time_s"], 3.0);
     const Json event = this->json("out", "evaluations/" + id + "-stiff.json");

@@ -124,7 +124,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
                  "hydrostatic_start": false, "lattice_jitter": 0.1, "lattice_seed": 9,
                  "integrator": "rk4_explicit"},
     "run": {"stop_time_s": 3, "series_interval_s": 0.01, "frame_interval_s": 0.05,
-            "until_rest": true,
+            "until_rest": true, "reading_time_s": 2.5,
             "settled": {"enabled": false, "window_s": 0.3, "retention_change": 0.01,
                         "kinetic_energy_share": 0.02, "earliest_time_s": 1}}})");
   EXPECT_EQ(spec.name, "test");
@@ -163,6 +163,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
   EXPECT_EQ(spec.run.series_interval, 0.01);
   EXPECT_EQ(spec.run.frame_interval, 0.05);
   EXPECT_TRUE(spec.run.until_rest);
+  EXPECT_EQ(spec.run.reading_time, 2.5);
   EXPECT_FALSE(spec.run.settled.enabled);
   EXPECT_EQ(spec.run.settled.window, 0.3);
   EXPECT_EQ(spec.run.settled.retention_change, 0.01);
@@ -253,6 +254,45 @@ TEST(CaseSpec, ResolvedReadsBackToTheBit) {
     EXPECT_EQ(first.scene.barriers[1].foot_x, again.scene.barriers[1].foot_x);
     EXPECT_EQ(first.scene.solids[0].vertices, again.scene.solids[0].vertices);
   }
+}
+
+// Defaults that belong to the size of the event grow with it; what is given stays.
+TEST(CaseSpec, DefaultsGrowWithTheEvent) {
+  const char* barrier = R"(, "barriers": [{"deflector": {}}, {"spacing_m": 40, "thickness_m": 1}])";
+  const CaseSpec flume = case_with(
+      R"({"reservoir": {"length_m": 0.3, "height_m": 0.2}, "barriers": [{"deflector": {}}]})");
+  EXPECT_EQ(flume.resolved.at("/gauges/event_length_m"_json_pointer), 0.2);
+  EXPECT_EQ(flume.run.stop_time, 6.0) << "to the bit";
+  EXPECT_EQ(flume.run.series_interval, 0.005);
+  EXPECT_EQ(flume.scene.domain_length, 3.0);
+  EXPECT_EQ(flume.scene.barriers[0].foot_x, 1.1);
+  // 16 times as large, in a longer block
+  const std::string sections =
+      std::string(
+          R"({"reservoir": {"length_m": 20, "height_m": 3.2}, "channel": {"length_m": 80})") +
+      barrier + "}";
+  const CaseSpec valley = case_with(sections.c_str());
+  EXPECT_EQ(valley.run.gauges.event_length, 3.2);
+  EXPECT_DOUBLE_EQ(valley.run.stop_time, 24.0);
+  EXPECT_DOUBLE_EQ(valley.run.settled.window, 1.0);
+  EXPECT_EQ(valley.scene.domain_length, 80.0);
+  EXPECT_DOUBLE_EQ(valley.scene.domain_height, 24.0);
+  EXPECT_DOUBLE_EQ(valley.scene.monitor_x, 20.0 + 12.8);
+  EXPECT_DOUBLE_EQ(valley.scene.barriers[0].foot_x, 20.0 + 12.8);
+  EXPECT_DOUBLE_EQ(valley.scene.barriers[0].thickness, 0.24);
+  EXPECT_DOUBLE_EQ(valley.scene.barriers[0].deflector->length, 1.04);
+  EXPECT_EQ(valley.scene.barriers[1].thickness, 1.0);
+  EXPECT_DOUBLE_EQ(valley.numerics.spacing, 0.08);
+  EXPECT_EQ(valley.numerics.cg_tolerance, 0.5) << "gravity is the same";
+  // heavier by 4: half as long
+  const CaseSpec fast = case_with(R"({"channel": {"gravity_m_s2": 39.24}})");
+  EXPECT_DOUBLE_EQ(fast.run.stop_time, 3.0);
+  EXPECT_DOUBLE_EQ(fast.numerics.cg_tolerance, 2.0);
+  // the units of another event
+  const CaseSpec base =
+      case_with(R"({"reservoir": {"height_m": 0.1}, "gauges": {"event_length_m": 0.2}})");
+  EXPECT_EQ(base.run.stop_time, 6.0);
+  EXPECT_EQ(base.run.gauges.event_length, 0.2);
 }
 
 // Every section and default is written out.

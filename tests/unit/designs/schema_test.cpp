@@ -24,7 +24,8 @@ const std::set<std::string> keywords{"$schema",
                                      "const",
                                      "enum",
                                      "default",
-                                     "examples",  // for editors
+                                     "x-scales-with",  // see event_defaults.cpp
+                                     "examples",       // for editors
                                      "minimum",
                                      "maximum",
                                      "exclusiveMinimum",

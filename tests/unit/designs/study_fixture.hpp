@@ -23,7 +23,7 @@ inline Json sound_study() {
        "value_when_absent": 0}],
     "constraints": [
       {"name": "material", "expression": "upstream_height_m + plate_m", "upper": 0.19},
-      {"metric": "barrier_2_peak_force_n_per_m", "lower": 0, "upper": 400}],
+      {"metric": "barrier_2_slam_force_n_per_m", "lower": 0, "upper": 400}],
     "method": {"algorithm": "COBYLA", "max_evaluations": 20, "start_count": 3,
       "starts": [{"deflector_angle_deg": 10, "upstream_height_m": 0.1, "plate_m": 0.05}]}})");
 }

@@ -13,7 +13,7 @@ Json full_study() {
   json["objectives"] = Json::parse(R"([
       {"metric": "retention_efficiency", "statistic": "quantile", "quantile": 0.75, "reference": 0.4},
       {"metric": "launch_length_m", "goal": "minimize", "value_when_absent": 0, "statistic": "worst"},
-      {"name": "safe", "metric": "barrier_2_peak_force_n_per_m", "statistic": "probability",
+      {"name": "safe", "metric": "barrier_2_slam_force_n_per_m", "statistic": "probability",
        "upper": 300},
       {"name": "plate", "expression": "upstream_height_m + plate_m", "goal": "minimize"}])");
   json["constraints"] = Json::parse(R"([

@@ -36,7 +36,7 @@ TEST(StudySpec, ValuesReachTheirFields) {
   EXPECT_EQ(study.constraints[0].expression, "upstream_height_m + plate_m");
   EXPECT_FALSE(study.constraints[0].lower);
   EXPECT_EQ(study.constraints[0].scale, 0.19);  // the limit's size
-  EXPECT_EQ(study.constraints[1].name, "barrier_2_peak_force_n_per_m");
+  EXPECT_EQ(study.constraints[1].name, "barrier_2_slam_force_n_per_m");
   EXPECT_EQ(study.constraints[1].lower, 0.0);
   EXPECT_EQ(study.constraints[1].upper, 400.0);
   EXPECT_EQ(study.constraints[1].scale, 400.0);

@@ -127,7 +127,7 @@ const WrongInput wrong_choices[] = {
     // What hangs on them.
     {"MetricOfABarrierThatMayBeGone",
      R"([{"op": "replace", "path": "/objectives/0/metric",
-          "value": "barrier_3_peak_force_n_per_m"}])",
+          "value": "barrier_3_slam_force_n_per_m"}])",
      "/objectives/0/value_when_absent", "does not exist in every run", "a number that counts then"},
     {"StartWithAnOptionsNumber",
      R"([{"op": "replace", "path": "/method/starts/0/deflector", "value": 0}])",

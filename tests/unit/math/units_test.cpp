@@ -17,7 +17,7 @@ TEST(Units, EveryPartOfTheProgramFindsItsOwn) {
 TEST(Units, TheLongestSuffixWins) {
   EXPECT_EQ(unit_of("landing_speed_m_s").plain, "m/s");                // not s
   EXPECT_EQ(unit_of("peak_overflow_discharge_m2_s").plain, "m2/s");    // not s
-  EXPECT_EQ(unit_of("peak_moment_nm_per_m").plain, "N m/m");           // not m
+  EXPECT_EQ(unit_of("slam_moment_nm_per_m").plain, "N m/m");           // not m
   EXPECT_EQ(unit_of("peak_moment_n_m_per_m").plain, "N m/m");          // not m
   EXPECT_EQ(unit_of("overflow_volume_m3_per_m").suffix, "_m3_per_m");  // not _m
   EXPECT_EQ(unit_of("shear_rate_per_s").plain, "1/s");                 // not s
@@ -46,7 +46,7 @@ TEST(Units, APureNumberHasNone) {
 
 TEST(Units, KeysWithoutThem) {
   EXPECT_EQ(without_unit("launch_length_m"), "launch_length");
-  EXPECT_EQ(without_unit("barrier_1_peak_force_n_per_m"), "barrier_1_peak_force");
+  EXPECT_EQ(without_unit("barrier_1_slam_force_n_per_m"), "barrier_1_peak_force");
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST(SweepJson, HoldsMetricsFlatWithTheSourceBesideThem) {
 
 TEST(SweepJson, KeepsTheCataloguesOrder) {
   records::SweepRowResult result = row("A");
-  result.metrics["barrier_1_peak_force_n_per_m"] = 800.0;
+  result.metrics["barrier_1_slam_force_n_per_m"] = 800.0;
   const Json entry = study::sweep_json("s", "", 0.005, {result})["rows"][0];
   std::vector<std::string> keys;
   for (const auto& item : entry.items()) keys.push_back(item.key());
@@ -151,7 +151,7 @@ TEST(SweepJson, KeepsTheCataloguesOrder) {
     return std::find(keys.begin(), keys.end(), key) - keys.begin();
   };
   EXPECT_LT(place("retention_efficiency"), place("launch_length_m"));
-  EXPECT_LT(place("launch_length_m"), place("barrier_1_peak_force_n_per_m"));
+  EXPECT_LT(place("launch_length_m"), place("barrier_1_slam_force_n_per_m"));
 }
 
 TEST(SweepRowResult, TakesOverAResult) {

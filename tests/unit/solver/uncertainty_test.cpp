@@ -68,7 +68,7 @@ TEST(Uncertainty, LeavesTheResultAsItIsAndDoesNotDependOnTheJobs) {
     EXPECT_EQ(one.metrics[k].uncertainty->expanded, three.metrics[k].uncertainty->expanded);
     EXPECT_EQ(one.metrics[k].uncertainty->runs, 9);
   }
-  EXPECT_GT(one.find_metric("barrier_1_peak_force_n_per_m")->uncertainty->scatter, 0.0);
+  EXPECT_GT(one.find_metric("barrier_1_slam_force_n_per_m")->uncertainty->scatter, 0.0);
   EXPECT_GT(with, 5);
 }
 

@@ -27,7 +27,7 @@ designs::StudySpec spec() {
       {"metric": "retention_efficiency", "goal": "maximize", "statistic": "mean"},
       {"name": "reach_m", "metric": "launch_length_m", "goal": "minimize", "statistic": "worst",
        "value_when_absent": 0}],
-    "constraints": [{"name": "load", "metric": "barrier_1_peak_force_n_per_m", "upper": 100,
+    "constraints": [{"name": "load", "metric": "barrier_1_slam_force_n_per_m", "upper": 100,
                      "statistic": "worst"}],
     "scenarios": [{"name": "soft", "weight": 0.5, "set": {"yield_stress_pa": 50}},
                   {"name": "stiff", "weight": 0.5, "set": {"yield_stress_pa": 200}}],
@@ -57,7 +57,7 @@ records::EvaluationRecord TradeOff::record(double height, std::optional<double> 
   record.ok = true;
   record.metrics = {{"retention_efficiency", retention, ""},
                     {"launch_length_m", reach, ""},
-                    {"barrier_1_peak_force_n_per_m", force, ""}};
+                    {"barrier_1_slam_force_n_per_m", force, ""}};
   record.objectives = {{"retention_efficiency", designs::Goal::maximize, 1.0, retention, false},
                        {"reach_m", designs::Goal::minimize, 1.0, reach, false}};
   record.objective_scalar = reach - retention;

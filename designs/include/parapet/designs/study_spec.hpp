@@ -225,6 +225,13 @@ std::string spec_hash(const Json& json);
 /// defaults that are others today are left out where `now` does not ask for the former value.
 Json without_former_defaults(Json stored, const Json& now);
 
+/// What an earlier version wrote, with the metrics' names of now, in keys and texts:
+/// barrier_1_peak_force_n_per_m is called barrier_1_slam_force_n_per_m.
+Json with_present_names(const Json& stored);
+
+/// The text with the names of now.
+std::string with_present_names(std::string text);
+
 /// A sweep: a list of cases that share a base (designs/table3.json).
 struct SweepRow {
   std::string id;

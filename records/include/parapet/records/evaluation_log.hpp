@@ -48,6 +48,7 @@ struct ScenarioRecord {
   double particle_steps = 0.0;  ///< particles released times time steps
   std::string stop_reason;      ///< why its simulation ended; empty: not known
   std::string case_hash;        ///< of what was simulated; empty: an impossible scene, or not known
+  std::vector<solver::Warning> warnings;  ///< of its result
 };
 
 /// One evaluated design, as it stands in the log. Numbers keep every bit through the file.
@@ -75,6 +76,7 @@ struct EvaluationRecord {
   std::string program_version;            ///< of the program that evaluated it; empty: not known
   std::string git_revision;               ///< likewise
   int physics = 0;                        ///< its solver::physics_number; 0: not known
+  std::vector<solver::Warning> warnings;  ///< of all its simulations, each key once, the worst
 };
 
 /// A design that the constraints on formulas refused: it was not simulated.

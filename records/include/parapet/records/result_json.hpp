@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "parapet/designs/case_spec.hpp"
 #include "parapet/solver/result.hpp"
@@ -13,6 +14,18 @@ designs::Json metrics_json(const solver::Result& result);
 
 /// {key: why there is no value} of the metrics without one.
 designs::Json metrics_absent_json(const solver::Result& result);
+
+/// {key: "run_too_short" or "too_coarse"} of the metrics that a longer or finer run would bring.
+designs::Json metrics_unknown_json(const std::vector<solver::Metric>& metrics);
+
+/// {energy_gain_ratio, density_error_max, ...}: see solver::Quality.
+designs::Json quality_json(const solver::Quality& quality);
+
+/// [{key, value, limit, text}] of what is outside the limits.
+designs::Json warnings_json(const std::vector<solver::Warning>& warnings);
+
+/// Reads that list; null: none.
+std::vector<solver::Warning> warnings_from_json(const designs::Json& json);
 
 /// {key: {expanded_95, discretisation, ...}} of the metrics that carry an uncertainty, in the unit
 /// of the metric (see solver::MetricUncertainty).

@@ -20,7 +20,8 @@ struct Simulation {
   double wall_time = 0.0;       ///< [s]
   double cpu_time = 0.0;        ///< processor time of all threads [s]
   double particle_steps = 0.0;  ///< particles released times time steps; repeatable, unlike a time
-  designs::Json report;         ///< details for evaluations/: simulation, case and series
+  std::vector<solver::Warning> warnings;  ///< what its result must not be read without
+  designs::Json report;                   ///< details for evaluations/: simulation, case and series
 };
 
 /// As it stands in the log, beside the design's other events.

@@ -17,10 +17,11 @@ struct MetricInfo {
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
   std::vector<std::string> absent_when;  ///< the reasons for which a run may end without it
-  std::string definition;                ///< one sentence
+  std::string definition;                ///< one sentence; H0 is the event's length, and a name
+                                         ///< such as rest_speed a key of the case's `gauges`
 
-  /// Whether a run may end without it.
-  bool may_be_absent() const { return !absent_when.empty(); }
+  /// Whether there are runs, long and fine enough, in which it does not exist.
+  bool may_not_exist = false;
 };
 
 /// Every metric of a scene with this many barriers, in the order in which results list them.

@@ -48,6 +48,20 @@ struct MetricUncertainty {
   std::vector<double> level_mean;     ///< [n_levels] mean of the runs there
 };
 
+/// Why a metric has no value.
+enum class Absence {
+  none,            ///< it has one
+  does_not_exist,  ///< such as a launch length when nothing overflowed
+  run_too_short,   ///< the run ended before it could be told
+  too_coarse       ///< the particles do not resolve it
+};
+
+/// The word as results spell it: "does_not_exist", "run_too_short", "too_coarse"; "" for none.
+std::string_view to_string(Absence absence);
+
+/// The kind of that word; any other word is does_not_exist.
+Absence absence_of(std::string_view word);
+
 /// One scalar answer; metric_catalog.hpp says what each means. Keys carry their unit as a suffix; a
 /// value that does not exist (the launch length when nothing overflows) is absent, with the reason.
 struct Metric {
@@ -55,6 +69,8 @@ struct Metric {
   std::optional<double> value;
   std::string absent_reason;                          ///< empty when there is a value
   std::optional<MetricUncertainty> uncertainty = {};  ///< when it was asked for and can be told
+  /// What kind of reason it is; one that is not known (old logs) counts as does_not_exist.
+  Absence absence = Absence::none;
 };
 
 /// Time series sampled at the chosen interval: a table, one column per quantity.
@@ -85,6 +101,39 @@ struct RunStatistics {
   double wall_time = 0.0;  ///< [s]; alone in that it may differ between repeats (and the profile)
 };
 
+/// What the numerics of a run were like. Outside QualityLimits a result carries a warning.
+struct Quality {
+  /// Largest rise of kinetic and potential energy above their lowest sum before, until something
+  /// has left the domain, over the released block's potential energy above the bed.
+  double energy_gain_ratio = 0.0;
+  double density_error_max = 0.0;  ///< max |rho/rho_0 - 1|
+  double mass_spread = 0.0;      ///< coefficient of variation of the particles' masses, at the end
+  double spray_share_max = 0.0;  ///< largest share of the mass that had come off the fluid
+  double wall_contacts_per_particle = 0.0;  ///< stopped at a wall by the contact rule
+  /// Depth of the flow that meets the first barrier, front_clearance before it, in particle
+  /// spacings; absent when none arrived, or in an open channel.
+  std::optional<double> particles_across_approach;
+};
+
+/// Beyond these a result warns.
+struct QualityLimits {
+  static constexpr double energy_gain_ratio = 0.05;
+  static constexpr double density_error_max = 0.1;
+  static constexpr double mass_spread = 0.15;
+  static constexpr double spray_share_max = 0.1;
+  static constexpr double wall_contacts_per_particle = 1.0;
+  static constexpr double particles_across_approach = 4.0;  ///< at least
+};
+
+/// Something that a reader of the result must know; the run is not failed for it.
+struct Warning {
+  std::string key;     ///< member of Quality, or "stop_time"
+  double value = 0.0;  ///< what was found
+  double limit = 0.0;  ///< what is allowed
+  std::string text;    ///< a sentence
+  friend bool operator==(const Warning&, const Warning&) = default;
+};
+
 /// The answer of one simulation.
 struct Result {
   Status status = Status::ok;
@@ -95,6 +144,8 @@ struct Result {
   Series series;
   MassBalance mass;
   RunStatistics statistics;
+  Quality quality;
+  std::vector<Warning> warnings;   ///< empty for a sound run
   std::optional<Profile> profile;  ///< when it was asked for
 
   /// The metric of that key, or nullptr.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 
+#include "parapet/solver/gauge_settings.hpp"
 #include "parapet/solver/numerics.hpp"
 #include "parapet/solver/result.hpp"
 #include "parapet/solver/scene.hpp"
@@ -23,7 +24,8 @@ struct SettledRule {
   double earliest_time = 0.0;  ///< never before this time [s]
 };
 
-/// How long, how often sampled, on how many threads.
+/// How long, how often sampled, on how many threads. Times are those of the flume of the default
+/// scene; usual_run_options gives them for another.
 struct RunOptions {
   double stop_time = 6.0;          ///< [s]
   double series_interval = 0.005;  ///< [s]
@@ -33,8 +35,14 @@ struct RunOptions {
   /// Go on until the whole flow is at rest, although no metric can change any more: for pictures,
   /// series and deposits.
   bool until_rest = false;
+  /// The instant at which launch_tip_x_m and ramp_angle_deg are read [s]; 0: never.
+  double reading_time = 0.0;
   SettledRule settled;
+  GaugeSettings gauges;
 };
+
+/// The options with their times in the same ratio to sqrt(H0/g) as those of the default scene.
+RunOptions usual_run_options(const Scene& scene);
 
 /// One picture of the particles, valid during the callback. Arrays are [n_fluid] and [n_wall].
 struct Frame {

@@ -21,8 +21,9 @@ struct Event {
 
 /// A statistic of a metric. Equal members mean the same number for every design.
 ///
-/// An event in which the metric has no value counts with `value_when_absent` where that is given.
-/// Otherwise it stands at the good end of all values or at the bad one (`absent_is_good`):
+/// An event in which the metric does not exist counts with `value_when_absent` where that is given.
+/// Otherwise it stands at the good end of all values or at the bad one (`absent_is_good`); one in
+/// which it is unknown, because the run was too short or too coarse to tell, always at the bad one:
 ///   mean: it is left out, the other weights are rescaled; at the bad end there is no mean
 ///   worst: it is passed over; at the bad end there is no worst value
 ///   quantile: it takes its place in the order; the quantile has no value where it falls on it
@@ -45,6 +46,7 @@ struct Quantity {
 struct QuantityValue {
   std::optional<double> value;  ///< empty: see Quantity::absent_is_good for what that means
   bool absent = false;          ///< the metric has no value in at least one event
+  bool unknown = false;         ///< there is no value because a run was too short or too coarse
   std::string reason;           ///< why, of the first such event
 };
 

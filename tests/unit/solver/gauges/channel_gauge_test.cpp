@@ -1,8 +1,9 @@
-// Front, depth, kinetic energy and dead zone on particles placed by hand.
+// Front, depth, kinetic energy and dead zone on particles placed by hand; windows of the flume.
 #include "gauges/channel_gauge.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "placed_particles.hpp"
@@ -68,7 +69,7 @@ TEST(DeadZone, EndsInTheFirstBinThatIsNotDeepEnough) {
   LevelChannel c;
   const Fluid f = fluid_of({{0.995, 0.05, 0.3},    // first bin: 0.5 together
                             {0.985, 0.00, 0.2},    //
-                            {0.975, 0.00, 0.4},    // second bin
+                            {0.975, 0.00, 0.41},   // second bin
                             {0.950, 0.00, 0.1},    // third bin: a quarter of what it needs
                             {0.930, 0.00, 5.0}});  // fourth bin, beyond the gap
   EXPECT_NEAR(dead_zone_length(c.gauge, f), 0.045, 1e-15);
@@ -76,8 +77,8 @@ TEST(DeadZone, EndsInTheFirstBinThatIsNotDeepEnough) {
 
 TEST(DeadZone, WhatMovesOrHasPassedIsNotPartOfIt) {
   LevelChannel c;
-  Fluid f = fluid_of({{0.99, 0.0, 0.8, 0.0, 0.1}, {1.01, 0.0, 0.8}});
-  EXPECT_EQ(dead_zone_length(c.gauge, f), 0.0) << "0.1 m/s is not at rest";
+  Fluid f = fluid_of({{0.99, 0.0, 0.8, 0.0, 0.101}, {1.01, 0.0, 0.8}});
+  EXPECT_EQ(dead_zone_length(c.gauge, f), 0.0) << "0.101 m/s is not at rest";
   f = fluid_of({{0.99, 0.0, 0.8, 0.06, 0.07}, {1.01, 0.0, 0.8}});
   EXPECT_DOUBLE_EQ(dead_zone_length(c.gauge, f), 0.02);
 }
@@ -93,11 +94,22 @@ TEST(DeadZone, MustBeDeeperThanTheBedAloneCanHold) {
   EXPECT_NEAR(dead_zone_length(c.gauge, fluid_of({{0.99, 0.0, 0.5}})), 0.25 * 0.02, 1e-15);
 }
 
-TEST(DeadZone, BinsAreTwoParticlesWideOnCoarseParticles) {
+TEST(DeadZone, ItsColumnsGrowWithTheEvent) {
   LevelChannel c;
-  c.gauge.spacing = 0.02;  // bins of 40 mm need 0.8 kg/m
-  const Fluid f = fluid_of({{0.98, 0.0, 0.8}, {0.95, 0.0, 0.4}});
+  c.gauge.units = {0.4, 0.2, 2.0};  // bins and least depth of 40 mm need 1.6 kg/m
+  const Fluid f = fluid_of({{0.98, 0.0, 1.61}, {0.95, 0.0, 0.8}});
   EXPECT_NEAR(dead_zone_length(c.gauge, f), 0.04 * 1.5, 1e-15);
+}
+
+TEST(DeadZone, TheBedThatHoldsItIsTheOneBelow) {
+  LevelChannel c;
+  c.scene.material.yield_stress = 90.0;
+  // a wedge that falls by 45 deg to the foot: a layer of 1.25 x 90/(1000 x 9.81 sin 45 deg) = 16 mm
+  // rests on it, and 20 mm are asked at least; on 10 deg it is 66 mm
+  c.scene.solids = {{{{0.5, 0.0}, {1.0, 0.0}, {0.5, 0.5 * std::tan(10.0 / 57.29577951308232)}}}};
+  const double deep = 1.25 * 90.0 / (1000.0 * 9.81 * std::sin(10.0 / 57.29577951308232));
+  const double full = 1000.0 * 0.02 * deep;
+  EXPECT_NEAR(dead_zone_length(c.gauge, fluid_of({{0.99, 0.02, 0.5 * full}})), 0.01, 1e-12);
 }
 
 TEST(DeadZone, ItsColumnsLeanWithTheStem) {

@@ -100,6 +100,24 @@ TEST(LaunchGauge, WhatLiesInThePocketBelowThePlateHasNotPassedTheEdge) {
   EXPECT_DOUBLE_EQ(gauge.launch()->angle, std::numbers::pi / 4.0);
 }
 
+TEST(LaunchGauge, LandsOnWhateverBedIsBelow) {
+  OverflowScene s;
+  // a step of 0.1 m downstream of the barrier
+  s.scene.solids = {{{{1.1, 0.0}, {2.0, 0.0}, {2.0, 0.1}, {1.1, 0.1}}}};
+  LaunchGauge gauge(s.gauge);
+  Fluid f = one_particle(0.02);
+  put(f, 0.96, 0.20, 1.0, 0.5);
+  gauge.observe(f, 0.1);
+  put(f, 1.05, 0.105, 1.0, -1.0);
+  gauge.observe(f, 0.2);
+  EXPECT_FALSE(gauge.impact()) << "before the step";
+  put(f, 1.20, 0.105, 1.0, -2.0);
+  gauge.observe(f, 0.3);
+  ASSERT_TRUE(gauge.impact());
+  EXPECT_DOUBLE_EQ(gauge.impact()->x, 1.20);
+  EXPECT_DOUBLE_EQ(gauge.impact()->landing_speed, std::hypot(1.0, 2.0));
+}
+
 TEST(LaunchGauge, DropletsDoNotDecide) {
   OverflowScene s;
   LaunchGauge gauge(s.gauge);

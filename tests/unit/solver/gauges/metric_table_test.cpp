@@ -18,12 +18,22 @@ BarrierReadings hit_barrier(double retained) {
   barrier.retained = retained;
   barrier.run_up = 0.08;
   barrier.arrival = 0.9;
-  barrier.peak = {250.0, 1.1, 12.0};
+  barrier.loads.peak[slam_window] = {250.0, 1.1, 12.0};
+  barrier.loads.peak[short_window] = {200.0, 1.1, 10.0};
+  barrier.loads.peak[design_window] = {150.0, 1.2, 8.0};
+  barrier.loads.stem = 120.0;
+  barrier.loads.deflector = 40.0;
+  barrier.load_height = 0.06;
+  barrier.impulse = 60.0;
+  barrier.at_rest = BarrierLoad{{30.0, -40.0}, 1.0};
   return barrier;
 }
 
 RunReadings open_channel() {
   RunReadings run;
+  run.event_length = 0.2;
+  run.spacing = 0.005;
+  run.particles = 2400.0;
   run.gravity = 9.81;
   run.slope = 0.4;
   run.released_volume = 0.06;
@@ -43,22 +53,51 @@ RunReadings two_barriers() {
   run.impact = LaunchGauge::Impact{1.5, 1.4, 2.5};
   run.launch = LaunchGauge::Launch{1.5, 0.5, 0.12, 1.02};
   run.barriers = {hit_barrier(0.7), hit_barrier(0.9)};
+  run.instant_wanted = true;
+  run.instant = InstantReadings{InstantReadings::Tongue{1.7, 1.8, false}, 0.4, false};
   return run;
 }
 
 /// Runs of every kind: all there, and each thing that may be missing missing in one of them.
 std::vector<RunReadings> runs_of_every_kind() {
   std::vector<RunReadings> runs{open_channel(), two_barriers()};
-  runs.emplace_back().deepest = DeepestFlow{0.0, 0.0};  // nothing came to the monitored place
+  RunReadings dry;
+  dry.particles = 2400.0;
+  dry.deepest = DeepestFlow{0.0, 0.0};  // nothing came to the monitored place
+  runs.push_back(dry);
+  dry.unfinished = true;
+  runs.push_back(dry);
   RunReadings nothing;
   nothing.barriers.resize(2);
+  nothing.particles = 2400.0;
+  RunReadings cut_off = runs.emplace_back(nothing);
+  cut_off.unfinished = true;
+  runs.push_back(cut_off);
+  cut_off.barriers.clear();
+  runs.push_back(cut_off);
   runs.emplace_back(two_barriers()).launch.reset();  // it landed, but passed by the edge
+  RunReadings early = two_barriers();
+  early.instant = InstantReadings{};
+  early.barriers[0].impulse.reset();
+  runs.push_back(early);
+  early.instant->ramp_too_coarse = true;
+  runs.push_back(early);
+  early.instant.reset();
+  runs.push_back(early);
   runs.push_back(nothing);
   for (const std::size_t full : {0U, 1U}) {
     RunReadings still = runs[full];
     still.energy->rise.reset();
     still.energy->plateau_time.reset();
     runs.push_back(still);
+    still.unfinished = true;
+    runs.push_back(still);
+    RunReadings coarse = runs[full];
+    coarse.spacing = 0.05;
+    runs.push_back(coarse);
+    coarse.spacing = 0.005;
+    coarse.particles = 100.0;
+    runs.push_back(coarse);
   }
   return runs;
 }
@@ -79,7 +118,7 @@ TEST(MetricTable, AMetricThatCreepsMayMoveALittleAndOthersNotAtAll) {
   now.barriers[1].retained = before.barriers[1].retained - 0.0021;
   EXPECT_TRUE(metric_moved(before, now, 0.002));
   now = before;
-  now.barriers[0].peak.force += 1e-9;
+  now.barriers[0].loads.peak[slam_window].force += 1e-9;
   EXPECT_TRUE(metric_moved(before, now, 0.002)) << "a larger peak";
   now = before;
   now.energy->plateau_time.reset();
@@ -117,16 +156,16 @@ TEST(MetricTable, GaugesKeepTheRangeAndTheReasonsOfTheirEntry) {
   for (const RunReadings& run : runs_of_every_kind()) {
     for_each_metric(run.barriers.size(),
                     [&](const std::string& key, const MetricEntry& entry, std::size_t barrier) {
-                      const Reading reading = entry.gauge(run, barrier);
-                      ASSERT_EQ(reading.value.has_value(), reading.absent_reason.empty()) << key;
+                      const Reading reading = read(entry, run, barrier);
+                      ASSERT_EQ(reading.value.has_value(), reading.absent == nullptr) << key;
                       if (reading.value) {
                         EXPECT_GE(*reading.value, entry.least) << key;
                         EXPECT_LE(*reading.value, entry.greatest) << key;
                         return;
                       }
-                      EXPECT_EQ(std::ranges::count(entry.absent_when, reading.absent_reason), 1)
-                          << key << ": " << reading.absent_reason;
-                      unused[std::string(entry.key)].erase(std::string(reading.absent_reason));
+                      EXPECT_EQ(std::ranges::count(absent_when(entry), reading.absent), 1)
+                          << key << ": " << reading.absent->text;
+                      unused[std::string(entry.key)].erase(std::string(reading.absent->text));
                     });
   }
   for (const auto& [key, reasons] : unused) {
@@ -149,7 +188,20 @@ TEST(MetricTable, GaugesReadWhatTheirEntriesDefine) {
   EXPECT_NEAR(value("peak_overflow_discharge_m2_s"), 0.5 * 0.06, 1e-15);
   EXPECT_EQ(value("kinetic_energy_minimum_j_per_m"), 1.0);
   EXPECT_EQ(value("kinetic_energy_overflow_peak_j_per_m"), 2.0);
-  EXPECT_EQ(value("barrier_1_peak_moment_nm_per_m"), 12.0);
+  EXPECT_EQ(value("barrier_1_slam_moment_nm_per_m"), 12.0);
+  EXPECT_EQ(value("barrier_2_design_force_n_per_m"), 150.0);
+  EXPECT_EQ(value("barrier_2_design_force_time_s"), 1.2);
+  EXPECT_EQ(value("barrier_1_design_moment_nm_per_m"), 8.0);
+  EXPECT_EQ(value("barrier_1_short_window_force_n_per_m"), 200.0);
+  EXPECT_EQ(value("barrier_1_stem_design_force_n_per_m"), 120.0);
+  EXPECT_EQ(value("barrier_1_deflector_design_force_n_per_m"), 40.0);
+  EXPECT_EQ(value("barrier_1_design_load_height_m"), 0.06);
+  EXPECT_EQ(value("barrier_1_impulse_n_s_per_m"), 60.0);
+  EXPECT_DOUBLE_EQ(value("barrier_1_static_force_n_per_m"), 50.0);
+  EXPECT_EQ(value("launch_tip_x_m"), 1.7);
+  EXPECT_EQ(value("launch_tip_landed"), 0.0);
+  EXPECT_EQ(value("launch_farthest_x_m"), 1.8);
+  EXPECT_NEAR(value("ramp_angle_deg"), 0.4 * 180.0 / 3.14159265358979, 1e-12);
   EXPECT_FALSE(metrics.at("flow_depth_max_m").value);
 
   metrics = by_key(read_metrics(open_channel()));
@@ -157,20 +209,51 @@ TEST(MetricTable, GaugesReadWhatTheirEntriesDefine) {
   EXPECT_FALSE(metrics.contains("retention_efficiency"));
 }
 
+TEST(MetricTable, WhatTheParticlesDoNotResolveIsAbsentForThatReason) {
+  RunReadings run = two_barriers();
+  const auto absence = [&](const char* key) { return by_key(read_metrics(run)).at(key).absence; };
+  run.spacing = 0.0050001;  // four across the 20 mm of a dead zone's column
+  EXPECT_EQ(absence("dead_zone_length_m"), Absence::too_coarse);
+  EXPECT_EQ(absence("barrier_2_arrival_time_s"), Absence::too_coarse);
+  EXPECT_EQ(absence("retention_efficiency"), Absence::none);
+  EXPECT_EQ(absence("launch_length_m"), Absence::none);
+  run.settings.dead_zone_window_ratio = 0.2;
+  EXPECT_EQ(absence("dead_zone_length_m"), Absence::none);
+  run.spacing = 0.005;
+  run.particles = 1999.0;  // a thousandth of them is not two
+  EXPECT_EQ(absence("barrier_1_run_up_height_m"), Absence::too_coarse);
+  EXPECT_EQ(absence("arrival_time_s"), Absence::none);
+}
+
+TEST(MetricTable, ALongerRunCouldBringWhatIsOnlyNotThereYet) {
+  RunReadings run = two_barriers();
+  run.impact.reset();
+  run.launch.reset();
+  run.deflector_length.reset();
+  const auto absence = [&](const char* key) { return by_key(read_metrics(run)).at(key).absence; };
+  EXPECT_EQ(absence("launch_length_m"), Absence::does_not_exist);
+  run.unfinished = true;
+  EXPECT_EQ(absence("launch_length_m"), Absence::run_too_short);
+  EXPECT_EQ(absence("dead_zone_ratio"), Absence::does_not_exist) << "no deflector grows";
+  EXPECT_EQ(absence("retention_efficiency"), Absence::none);
+}
+
 TEST(MetricCatalog, FindsKeysOfAnyBarrier) {
-  const auto force = find_metric_info("barrier_12_peak_force_n_per_m");
+  const auto force = find_metric_info("barrier_12_slam_force_n_per_m");
   ASSERT_TRUE(force);
-  EXPECT_EQ(force->key, "barrier_12_peak_force_n_per_m");
+  EXPECT_EQ(force->key, "barrier_12_slam_force_n_per_m");
   EXPECT_EQ(force->unit, "N/m");
   EXPECT_EQ(force->least, 0.0);
-  EXPECT_FALSE(force->may_be_absent());
-  EXPECT_TRUE(find_metric_info("launch_length_m")->may_be_absent());
+  EXPECT_FALSE(force->may_not_exist);
+  EXPECT_TRUE(find_metric_info("launch_length_m")->may_not_exist);
+  EXPECT_FALSE(find_metric_info("dead_zone_length_m")->may_not_exist);
+  EXPECT_FALSE(find_metric_info("dead_zone_length_m")->absent_when.empty()) << "coarse particles";
   for (const MetricInfo& info : metric_catalog(3)) {
     EXPECT_EQ(find_metric_info(info.key)->definition, info.definition) << info.key;
   }
   for (const char* wrong :
        {"", "barrier_0_arrival_time_s", "barrier_arrival_time_s", "barrier_K_arrival_time_s",
-        "barrier_01_arrival_time_s", "barrier_1_launch_length_m", "peak_force_n_per_m"}) {
+        "barrier_01_arrival_time_s", "barrier_1_launch_length_m", "slam_force_n_per_m"}) {
     EXPECT_FALSE(find_metric_info(wrong)) << wrong;
   }
 }

@@ -10,6 +10,7 @@ namespace parapet::validation {
 
 enum class Verdict {
   met,      ///< within its limits
+  fitted,   ///< within them, by a reading that was chosen after results were seen
   missed,   ///< outside them; stays visible
   measured  ///< a figure without a limit
 };
@@ -26,6 +27,7 @@ struct Measure {
   std::optional<double> upper = {};  ///< largest value allowed
   std::string reason = {};           ///< of the limit
   std::string explanation = {};      ///< why a limit is missed, where that is understood
+  bool fitted = false;               ///< the reading was chosen after results were seen
 
   Verdict verdict() const;
 };

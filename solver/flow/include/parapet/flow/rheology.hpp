@@ -26,6 +26,9 @@ double apparent_viscosity(const Material& material, double shear_rate, double yi
 /// @param wall_trace the walls' part of the trace of the tensor of Eq. 8 (2 for all neighbours)
 double yield_fraction(double pair_rate, double gradient_rate, double wall_trace);
 
+/// Square of a strain rate so slow that it has no direction: 1e-10 of the cut-off's square [1/s2].
+double still_rate2(const Material& material);
+
 /// Correction of the viscous pair sum for the arrangement of the neighbours, in [0.5, 2].
 ///
 /// The sum with alpha = 8 dissipates 4 (a^2 P + 2 a b X + b^2 Q) eta in a strain rate
@@ -37,6 +40,8 @@ double yield_fraction(double pair_rate, double gradient_rate, double wall_trace)
 /// the support is cut off by a free surface it does not make up for what is missing.
 /// @param pp, pq, qq P, X and Q
 /// @param a, b of the strain rate [1/s]
-double viscous_quadrature(double pp, double pq, double qq, double a, double b);
+/// @param still2 of still_rate2 [1/s2]
+double viscous_quadrature(double pp, double pq, double qq, double a, double b,
+                          double still2 = 1e-12);
 
 }  // namespace parapet::solver
