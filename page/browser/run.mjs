@@ -3,7 +3,8 @@
 // DIR holds the folders study (recommended, with recordings), simulation (recorded, with a hostile
 // name), sweep and validation, each with its report.html. See .ci/page.
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { spawn } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -325,6 +326,32 @@ test('5,000 designs do not freeze the page', async () => {
   assert.ok(longest < 3000, `${longest} ms without an answer`);
   assert.deepEqual(wrong, []);
   await close();
+});
+
+test('a served page hears of new designs', { skip: !process.env.PARAPET }, async () => {
+  const study = join(scratch, 'served');
+  cpSync(join(folder, 'study'), study, { recursive: true });
+  const server = spawn(process.env.PARAPET, ['serve', study], { stdio: ['ignore', 'pipe', 'ignore'] });
+  try {
+    const address = await new Promise((found) => server.stdout.on('data', (data) => found(String(data).trim())));
+    const page = await browser.newPage();
+    const wrong = [];
+    page.on('console', (message) => message.type() === 'error' && wrong.push(message.text()));
+    page.on('pageerror', (error) => wrong.push(error.message));
+    await page.goto(address);
+    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+    assert.match(await page.textContent('.live'), /waiting for the next design/);
+    const summary = JSON.parse(readFileSync(join(study, 'summary.json'), 'utf8'));
+    await page.waitForTimeout(700);
+    writeFileSync(join(study, 'summary.json'), JSON.stringify({ ...summary, state: 'running' }));
+    await page.waitForFunction(() => document.querySelector('.live').textContent.includes('There is something new'));
+    await Promise.all([page.waitForEvent('load'), page.click('.live button')]);
+    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+    assert.deepEqual(wrong, []);
+    await page.close();
+  } finally {
+    server.kill('SIGINT');
+  }
 });
 
 test('the theme can be switched', async () => {

@@ -1,6 +1,7 @@
 /** The front and everything around it: any quantity against any other. */
 import type { ECharts } from 'echarts/core';
 import { axisStyle, Chart, tooltipStyle } from './chart';
+import { palette } from './colors';
 import { axisValue, kinds, type DesignTable, type Kind, type Quantity } from './designs';
 import { checkbox, h, select } from './dom';
 import type { Keys } from './format';
@@ -196,7 +197,16 @@ export class FrontView {
       if (row === undefined) return [];
       const [x, y] = [axisValue(this.x, row), axisValue(this.y, row)];
       if (x === null || y === null) return [];
-      return [{ value: [x, y], row, label: { formatter: id === recommended ? `${id} (recommended)` : id } }];
+      const place = this.store.selected.indexOf(id);
+      const own = place < 0 ? color('text') : palette[place % palette.length]!;
+      return [
+        {
+          value: [x, y],
+          row,
+          itemStyle: { borderColor: own },
+          label: { formatter: id === recommended ? `${id} (recommended)` : id, position: place % 2 === 1 ? 'bottom' : 'top' },
+        },
+      ];
     });
     series.push({
       id: 'chosen',

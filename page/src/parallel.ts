@@ -1,6 +1,7 @@
 /** Parallel coordinates: drag along an axis to keep what lies there. */
 import type { ECharts } from 'echarts/core';
 import { Chart } from './chart';
+import { palette } from './colors';
 import { axisValue, bestRows, type DesignTable, type Quantity } from './designs';
 import { button, checkbox, h, select } from './dom';
 import type { Keys } from './format';
@@ -127,7 +128,6 @@ export class ParallelView {
 
   private option(): Record<string, unknown> {
     const axes = this.shownAxes();
-    const chosen = new Set(this.store.selected);
     const { id } = this.table.page.designs;
     const rows = this.rows();
     const width = Math.max(60, (this.chart.width - 160) / Math.max(1, axes.length - 1) - 14);
@@ -158,12 +158,13 @@ export class ParallelView {
           lineStyle: { width: 1.2, opacity: rows.length > 500 ? 0.12 : 0.45 },
           data: rows.map((row) => {
             const kind = this.table.kind[row]!;
-            const main = chosen.has(id[row]!);
+            const place = this.store.selected.indexOf(id[row]!);
+            const main = place >= 0;
             const passes = this.store.passes(row) || main;
             return {
               value: axes.map((one) => (one.options ? (one.values[row] ?? '-') : (axisValue(one, row) ?? '-'))),
               lineStyle: {
-                color: main ? color('text') : kind === 'front' ? color('accent') : kind === 'infeasible' ? color('bad') : color('good'),
+                color: main ? palette[place % palette.length] : kind === 'front' ? color('accent') : kind === 'infeasible' ? color('bad') : color('good'),
                 width: main ? 4 : kind === 'front' ? 2.2 : 1.2,
                 ...(main ? { opacity: 1 } : passes ? {} : { opacity: 0.03 }),
               },

@@ -311,11 +311,10 @@ export class Player {
     context.lineTo(tip[0] - 9 * ux + 4 * uy, tip[1] + 9 * uy + 4 * ux);
     context.fill();
     const words = `${size.toFixed(size < 10 ? 1 : 0)} N/m`;
-    context.textAlign = 'right';
+    // Downstream of the barrier, where there is seldom anything else.
     context.lineWidth = 3;
     context.strokeStyle = '#fff';
-    context.strokeText(words, tail[0] - 4, tail[1] + 4);
-    context.fillText(words, tail[0] - 4, tail[1] + 4);
-    context.textAlign = 'left';
+    context.strokeText(words, tip[0] + 16, tip[1] - 2);
+    context.fillText(words, tip[0] + 16, tip[1] - 2);
   }
 }

@@ -45,7 +45,7 @@ export function colorScale(header: RecordingHeader, what: Quantity): ColorScale 
     return { table: table(), first: count(least), step: (count(greatest) - count(least)) / colors, least, greatest };
   }
   const fall = Math.sqrt(2 * scene.gravity_m_s2 * scene.reservoir.height_m);
-  const greatest = 1.5 * fall;
+  const greatest = 1.2 * fall; // fronts run about as fast as a fall from there
   return { table: table(), first: 0, step: greatest / steps.speed_m_s / colors, least: 0, greatest };
 }
 

@@ -33,7 +33,11 @@ function pairsOf(page: SweepPage): Pair[] {
 }
 
 function publishedText(paper: Published): string {
-  const range = paper.lower !== undefined || paper.upper !== undefined ? `${numberText(paper.lower)} to ${numberText(paper.upper)}` : '';
+  const { lower, upper } = paper;
+  let range = '';
+  if (lower !== undefined && upper !== undefined) range = `${numberText(lower)} to ${numberText(upper)}`;
+  else if (lower !== undefined) range = `at least ${numberText(lower)}`;
+  else if (upper !== undefined) range = `at most ${numberText(upper)}`;
   const value = paper.value !== undefined ? numberText(paper.value) : '';
   return [value, range && (value ? `(${range})` : range)].filter(Boolean).join(' ');
 }
