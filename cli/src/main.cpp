@@ -9,5 +9,5 @@ int main(int argc, char** argv) {
   let_waiting_threads_sleep(argv);
   return run_program(argc, argv,
                      {add_simulate, add_table3, add_optimize, add_evaluate, add_recommend,
-                      add_validate_call, add_check, add_approach, add_verify});
+                      add_report, add_validate_call, add_check, add_approach, add_verify});
 }

@@ -4,9 +4,11 @@
 
 #include "common_options.hpp"
 #include "duration_text.hpp"
+#include "flow_records.hpp"
 #include "interrupt.hpp"
 #include "parapet/study/design_run.hpp"
 #include "parapet/study/study_run.hpp"
+#include "report_files.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
 #include "spec_files.hpp"
@@ -142,6 +144,17 @@ void print_summary(const Session& session, const study::StudySummary& summary,
                      folder.string());
 }
 
+/// Records what the study asks for; false when it was interrupted.
+bool record_front(const Session& session, const OptimizeOptions& options,
+                  const designs::StudySpec& study, const std::filesystem::path& folder) {
+  const auto log = records::read_evaluation_log(folder / "evaluations.jsonl");
+  std::vector<study::FlowToRecord> flows;
+  for (const records::EvaluationRecord& record : study::designs_to_record(study, log.records)) {
+    flows.push_back(study::flow_of_design(study, record));
+  }
+  return record_and_say(session, folder, std::move(flows), options.jobs);
+}
+
 int optimize_command(const Session& session, const OptimizeOptions& options) {
   const designs::StudySpec study = read_study(options.spec, options.spacing_mm);
   const std::filesystem::path folder = output_folder(options, study.name, "optimize");
@@ -155,6 +168,11 @@ int optimize_command(const Session& session, const OptimizeOptions& options) {
     session.log->error("the study failed: {}", summary.message);
     return exit_failed;
   }
+  if (!record_front(session, options, study, folder)) {
+    session.log->error("interrupted while the front was recorded; the same command goes on");
+    return exit_interrupted;
+  }
+  write_report(session, folder);
   print_summary(session, summary, study, folder);
   return exit_done;
 }

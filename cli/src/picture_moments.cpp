@@ -27,6 +27,11 @@ void PictureMoments::offer(const solver::Frame& frame) {
 }
 
 void PictureMoments::offer_evenly(const solver::Frame& frame) {
+  const bool new_time = snapshots_.empty() || frame.time > snapshots_.back().time;
+  if (frame.last) {
+    if (new_time) snapshots_.push_back(reports::take_snapshot(frame));
+    return;
+  }
   if (frames_seen_++ % stride_ != 0) return;
   snapshots_.push_back(reports::take_snapshot(frame));
   if (snapshots_.size() <= most_kept) return;

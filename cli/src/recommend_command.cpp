@@ -6,12 +6,14 @@
 #include <optional>
 
 #include "common_options.hpp"
+#include "flow_records.hpp"
 #include "interrupt.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/checksum_list.hpp"
 #include "parapet/records/folder_lock.hpp"
 #include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
+#include "parapet/reports/page.hpp"
 #include "parapet/reports/recommendation_json.hpp"
 #include "parapet/reports/recommendation_text.hpp"
 #include "parapet/reports/study_plots.hpp"
@@ -188,6 +190,22 @@ void write_files(const Session& session, const reports::Recommendation& recommen
   session.log->info("written: {} and recommendation.json", (folder / "recommendation.md").string());
 }
 
+/// Records the recommended design, so that the page can play it; false when it was interrupted.
+bool record_pick(const Session& session, const RecommendOptions& options,
+                 const study::LoadedStudy& study, const reports::Recommendation& recommendation) {
+  if (study.spec.recordings == designs::Recordings::none || !recommendation.recommended)
+    return true;
+  const std::string& id = recommendation.recommended->design.id;
+  const auto record = std::ranges::find(study.designs, id, &records::EvaluationRecord::id);
+  if (record == study.designs.end()) return true;
+  try {
+    return record_and_say(session, options.folder, {study::flow_of_design(study.spec, *record)},
+                          options.jobs, false);
+  } catch (const designs::InputError&) {
+    return true;  // the study still runs: nothing is simulated
+  }
+}
+
 int recommend_command(const Session& session, const RecommendOptions& options) {
   const std::filesystem::path& folder = options.folder;
   const study::PickRule rule =
@@ -212,7 +230,16 @@ int recommend_command(const Session& session, const RecommendOptions& options) {
   }
   const reports::Recommendation recommendation = reports::recommend(study, rule);
   const std::string text = reports::recommendation_text(recommendation);
-  if (files) write_files(session, recommendation, text, *files);
+  if (!options.no_confirm && may_confirm && !record_pick(session, options, study, recommendation)) {
+    return exit_interrupted;
+  }
+  if (files) {
+    write_files(session, recommendation, text, *files);
+    records::write_file_atomically(
+        *files / records::report_page,
+        reports::study_page(study, recommendation, {.program = session.program, .rule = rule}));
+    session.log->info("page: open {} in a browser", (*files / records::report_page).string());
+  }
   checksums.write();
   if (!session.quiet) session.out->write(text);
   if (!recommendation.recommended) {

@@ -5,6 +5,7 @@
 
 #include "common_options.hpp"
 #include "duration_text.hpp"
+#include "flow_outputs.hpp"
 #include "interrupt.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/checksum_list.hpp"
@@ -12,12 +13,10 @@
 #include "parapet/records/hashes.hpp"
 #include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
-#include "parapet/reports/flow_picture.hpp"
-#include "parapet/reports/vtk_frames.hpp"
 #include "parapet/solver/uncertainty.hpp"
 #include "parapet/study/thread_count.hpp"
-#include "picture_moments.hpp"
 #include "profile_text.hpp"
+#include "report_files.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
 #include "spec_files.hpp"
@@ -26,74 +25,12 @@
 namespace parapet::cli {
 namespace {
 
-constexpr double default_frame_interval = 0.05;  // [s]
-
 struct SimulateOptions : CommonOptions {
   std::string spec;
-  bool frames = false;
-  std::optional<double> frame_interval_s;
-  bool picture = false;
-  std::vector<double> picture_times_s;
+  FlowWishes flow;
   std::optional<int> threads;
   bool uncertainty = false;
   bool profile = false;
-};
-
-/// Frames and picture of one run, fed by the solver's callback.
-class FlowRecorder {
- public:
-  FlowRecorder(const SimulateOptions& options, const designs::CaseSpec& spec,
-               const std::filesystem::path& folder)
-      : spec_(spec), folder_(folder), moments_(options.picture_times_s) {
-    const double in_spec = spec.run.frame_interval;
-    if (options.frames || options.frame_interval_s || in_spec > 0.0) {
-      interval_ =
-          options.frame_interval_s.value_or(in_spec > 0.0 ? in_spec : default_frame_interval);
-      writer_.emplace(folder / "frames", spec.name);
-    }
-    picture_ = options.picture || !options.picture_times_s.empty();
-  }
-
-  /// How often the solver has to offer a frame [s]; 0 for never.
-  double offered_interval() const {
-    if (picture_) return spec_.run.series_interval;
-    return writer_ ? interval_ : 0.0;
-  }
-
-  void offer(const solver::Frame& frame) {
-    if (picture_) moments_.offer(frame);
-    if (!writer_ || frame.time < next_frame_ - 0.5 * spec_.run.series_interval) return;
-    writer_->add(frame);
-    while (next_frame_ <= frame.time + 0.5 * spec_.run.series_interval) next_frame_ += interval_;
-  }
-
-  /// Draws the picture; says what was written.
-  void finish(const Session& session) {
-    if (writer_) {
-      session.log->info("{} frames; open {} in ParaView", writer_->count(),
-                        writer_->collection().string());
-    }
-    if (!picture_) return;
-    for (const double time : moments_.not_reached()) {
-      session.log->warn("no picture at {} s: the run ended before", time);
-    }
-    const auto snapshots = moments_.take(6);
-    if (snapshots.empty()) return;
-    const std::filesystem::path file = folder_ / "flow.png";
-    reports::FlowPictureOptions picture;
-    picture.title = spec_.name;
-    reports::draw_flow(file, spec_.scene, spec_.numerics.spacing, snapshots, picture);
-    session.log->info("picture: {}", file.string());
-  }
-
- private:
-  const designs::CaseSpec& spec_;
-  std::filesystem::path folder_;
-  PictureMoments moments_;
-  std::optional<reports::FrameWriter> writer_;
-  double interval_ = 0.0;
-  double next_frame_ = 0.0;
-  bool picture_ = false;
 };
 
 /// A file that cannot be written is not the program's fault: the same exit code as everywhere.
@@ -109,34 +46,34 @@ void writing(const Action& action) {
 }
 
 solver::Result run_solver(const Session& session, const designs::CaseSpec& spec, int threads,
-                          FlowRecorder& recorder) {
+                          FlowOutputs& outputs) {
   RunMonitor monitor(session, 1, "");
   solver::RunOptions run = spec.run;
   run.threads = threads;
-  run.frame_interval = recorder.offered_interval();
+  outputs.ask(run);
   solver::Callbacks callbacks;
   callbacks.on_progress = [&](const solver::Progress& progress) {
     monitor.running(spec.name, progress);
     return !interrupted();
   };
-  if (run.frame_interval > 0.0) {
+  if (outputs.any()) {
     callbacks.on_frame = [&](const solver::Frame& frame) {
-      writing([&] { recorder.offer(frame); });
+      writing([&] { outputs.offer(frame); });
     };
   }
   return solver::simulate(spec.scene, spec.numerics, run, callbacks);
 }
 
 solver::Result run_with_uncertainty(const Session& session, const designs::CaseSpec& spec, int jobs,
-                                    FlowRecorder& recorder) {
+                                    FlowOutputs& outputs) {
   RunMonitor monitor(session, 1, "");
   solver::RunOptions run = spec.run;
-  run.frame_interval = recorder.offered_interval();
+  outputs.ask(run);
   solver::UncertaintyPlan plan;
   plan.jobs = jobs;
   std::function<void(const solver::Frame&)> on_frame;
-  if (run.frame_interval > 0.0) {
-    on_frame = [&](const solver::Frame& frame) { writing([&] { recorder.offer(frame); }); };
+  if (outputs.any()) {
+    on_frame = [&](const solver::Frame& frame) { writing([&] { outputs.offer(frame); }); };
   }
   return solver::simulate_with_uncertainty(
       spec.scene, spec.numerics, run, plan,
@@ -165,20 +102,21 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   const records::FolderLock lock(folder);
   records::take_output_folder(folder, records::FolderKind::simulation);
   records::remove_earlier_simulation(folder);
-  std::optional<FlowRecorder> recorder;
-  writing([&] { recorder.emplace(options, spec, folder); });
+  std::optional<FlowOutputs> outputs;
+  writing([&] { outputs.emplace(options.flow, spec, folder); });
   const int threads = options.uncertainty
                           ? 1
                           : options.threads.value_or(study::worthwhile_threads(spec, options.jobs));
   const solver::Result result = options.uncertainty
-                                    ? run_with_uncertainty(session, spec, options.jobs, *recorder)
-                                    : run_solver(session, spec, threads, *recorder);
+                                    ? run_with_uncertainty(session, spec, options.jobs, *outputs)
+                                    : run_solver(session, spec, threads, *outputs);
   if (result.status == solver::Status::cancelled) {
     session.log->error("interrupted at {:.3f} s of flow; no result was written", result.stop_time);
     return exit_interrupted;
   }
   write_result(session, spec, result, threads, folder);
-  writing([&] { recorder->finish(session); });
+  writing([&] { outputs->finish(session); });
+  write_report(session, folder);
   records::ChecksumList(folder).write();
   session.out->print("{}: {}, {} at {:.3f} s of flow, {} steps in {}\n{}{}results: {}\n", spec.name,
                      solver::to_string(result.status), solver::to_string(result.stop_reason),
@@ -212,13 +150,22 @@ void add_simulate(CLI::App& app, Session& session) {
       ->type_name("N");
   verb->add_flag("--profile", options->profile,
                  "Print which part of the solver took how long (also in result.json, timing)");
-  verb->add_flag("--frames", options->frames, "Write particle frames for ParaView into DIR/frames");
-  verb->add_option("--frame-interval-s", options->frame_interval_s,
+  verb->add_flag("--frames", options->flow.frames,
+                 "Write particle frames for ParaView into DIR/frames");
+  verb->add_option("--frame-interval-s", options->flow.frame_interval_s,
                    "Interval of the frames in seconds (default: the case's, or 0.05)")
       ->check(CLI::Range(1e-6, 1e4))
       ->type_name("X");
-  verb->add_flag("--picture", options->picture, "Draw the flow at six moments into DIR/flow.png");
-  verb->add_option("--picture-times-s", options->picture_times_s,
+  verb->add_flag("--record", options->flow.record,
+                 "Record the flow into DIR/recording.flow, to be played in the report");
+  verb->add_option("--record-interval-s", options->flow.record_interval_s,
+                   "Interval of the recording in seconds (default: by the size of the release, at "
+                   "most 300 frames)")
+      ->check(CLI::Range(1e-6, 1e4))
+      ->type_name("X");
+  verb->add_flag("--picture", options->flow.picture,
+                 "Draw the flow at six moments into DIR/flow.png");
+  verb->add_option("--picture-times-s", options->flow.picture_times_s,
                    "Draw it at these times in seconds, for example 0.45,0.8,1.2")
       ->delimiter(',')
       ->check(CLI::NonNegativeNumber)

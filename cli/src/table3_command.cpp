@@ -5,9 +5,11 @@
 
 #include "common_options.hpp"
 #include "duration_text.hpp"
+#include "flow_records.hpp"
 #include "interrupt.hpp"
 #include "parapet/reports/sweep_table.hpp"
 #include "parapet/study/sweep_run.hpp"
+#include "report_files.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
 #include "spec_files.hpp"
@@ -19,6 +21,7 @@ namespace {
 struct Table3Options : CommonOptions {
   std::string spec = "designs/table3.json";
   std::vector<std::string> only;
+  bool record = false;
 };
 
 study::SweepOutcome run_rows(const Session& session, const Table3Options& options,
@@ -48,6 +51,20 @@ study::SweepOutcome run_rows(const Session& session, const Table3Options& option
   return study::run_sweep(sweep, run);
 }
 
+/// Records the rows that ended well; false when it was interrupted.
+bool record_rows(const Session& session, const Table3Options& options,
+                 const designs::SweepSpec& sweep, const std::filesystem::path& folder) {
+  std::vector<study::FlowToRecord> flows;
+  for (const designs::SweepRow& row : sweep.rows) {
+    const bool wanted =
+        options.only.empty() || std::ranges::find(options.only, row.id) != options.only.end();
+    if (!wanted) continue;
+    flows.push_back(
+        {.name = row.id, .task = study::task_from_case(row.spec, row.id), .metrics = {}});
+  }
+  return record_and_say(session, folder, std::move(flows), options.jobs, options.only.empty());
+}
+
 int table3_command(const Session& session, const Table3Options& options) {
   const designs::SweepSpec sweep = read_sweep(options.spec, options.spacing_mm);
   const std::filesystem::path folder = output_folder(options, sweep.name, "");
@@ -57,6 +74,11 @@ int table3_command(const Session& session, const Table3Options& options) {
                        outcome.rows.size(), folder.string());
     return exit_interrupted;
   }
+  if (options.record && !record_rows(session, options, sweep, folder)) {
+    session.log->error("interrupted while rows were recorded; the same command goes on");
+    return exit_interrupted;
+  }
+  write_report(session, folder);
   session.out->print(
       "{}", reports::sweep_table_text(outcome.rows, sweep.rows.front().spec.numerics.spacing));
   session.out->print("results: {}\n", (folder / study::sweep_table_file(sweep)).string());
@@ -82,6 +104,9 @@ void add_table3(CLI::App& app, Session& session) {
   verb->add_option("--only", options->only, "Only the rows of these ids")
       ->delimiter(',')
       ->type_name("ID,ID");
+  verb->add_flag("--record", options->record,
+                 "Simulate the rows once more at the end and record their flows, to be played in "
+                 "the report");
   verb->footer(
       R"(Writes rows/ID.json for each row and table3.json with all of them, and prints a table with the
 published value beside the computed one. Rows that are finished are not run again: the same command

@@ -21,6 +21,18 @@ const char* word(Statistic statistic) {
   return "probability";
 }
 
+const char* word(Recordings recordings) {
+  switch (recordings) {
+    case Recordings::none:
+      return "none";
+    case Recordings::all:
+      return "all";
+    case Recordings::front:
+      break;
+  }
+  return "front";
+}
+
 const char* word(Scalarization scalarization) {
   switch (scalarization) {
     case Scalarization::weighted_sum:
@@ -178,7 +190,8 @@ Json resolve_study(const StudySpec& study, const Json& scenarios) {
           {"constraints", constraints_json(study.constraints)},
           {"scenarios", scenarios_json(study.scenarios, scenarios)},
           {"fidelity", fidelity_json(study.fidelity)},
-          {"method", method_json(study)}};
+          {"method", method_json(study)},
+          {"recordings", word(study.recordings)}};
 }
 
 }  // namespace parapet::designs

@@ -156,6 +156,10 @@ StudySpec parse_study(const Json& json, const std::string& file) {
   study.fidelity = read_fidelity(complete.at("fidelity"), base->resolved, metrics, findings);
   study.method = read_method(complete.at("method"),
                              variables_sound ? study.variables : std::vector<Variable>{}, findings);
+  const std::string recordings = complete.at("recordings").get<std::string>();
+  study.recordings = recordings == "all"    ? Recordings::all
+                     : recordings == "none" ? Recordings::none
+                                            : Recordings::front;
   if (findings.empty()) apply_fidelity(study, findings);
   if (findings.empty()) check_scenarios(study, findings);
   check_finest_runs(study, findings);

@@ -54,7 +54,8 @@ std::string sum_of(const fs::path& file) {
 }
 
 bool belongs(const fs::path& file) {
-  constexpr std::array<std::string_view, 6> endings{".json", ".csv", ".md", ".png", ".pvd", ".vtp"};
+  constexpr std::array<std::string_view, 8> endings{".json", ".csv", ".md",   ".png",
+                                                    ".pvd",  ".vtp", ".flow", ".html"};
   const std::string ending = file.extension().string();
   if (file.filename().string().starts_with('.')) return false;
   for (const std::string_view one : endings) {
@@ -73,7 +74,7 @@ std::vector<std::string> files_of(const fs::path& folder) {
       if (belongs(name)) files.push_back(name.string());
     }
   };
-  for (const char* inner : {"", "evaluations", "frames", "rows"}) add(inner);
+  for (const char* inner : {"", "evaluations", "frames", "recordings", "rows"}) add(inner);
   return files;
 }
 

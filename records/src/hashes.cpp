@@ -26,6 +26,7 @@ std::string study_hash(const designs::StudySpec& study) {
   Json json = study.resolved;
   json.erase("name");
   json.erase("description");
+  json.erase("recordings");
   if (json.contains("case")) leave_out_of_case(json["case"]);
   if (json.contains("method")) {
     // When a study ends does not change what it is: it may be continued.

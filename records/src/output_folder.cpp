@@ -16,7 +16,7 @@ using designs::Json;
 
 constexpr const char* marker = ".parapet";
 constexpr const char* marker_format = "parapet-folder/1";
-constexpr std::array<const char*, 3> inner_folders{"evaluations", "frames", "rows"};
+constexpr std::array<const char*, 4> inner_folders{"evaluations", "frames", "recordings", "rows"};
 
 std::string kind_name(FolderKind kind) {
   switch (kind) {
@@ -134,8 +134,9 @@ void take_output_folder(const fs::path& folder, FolderKind kind) {
 }
 
 void remove_earlier_simulation(const fs::path& folder) {
-  std::vector<fs::path> files{folder / checksum_list, folder / "result.json", folder / "series.csv",
-                              folder / "flow.png"};
+  std::vector<fs::path> files{folder / checksum_list,        folder / "result.json",
+                              folder / "series.csv",         folder / "flow.png",
+                              folder / simulation_recording, folder / report_page};
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder / "frames", ignored)) {
     const std::string ending = entry.path().extension().string();

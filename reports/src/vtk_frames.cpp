@@ -121,6 +121,7 @@ FrameWriter::FrameWriter(std::filesystem::path directory, const std::string& cas
 
 void FrameWriter::add(const solver::Frame& frame) {
   check(frame);
+  if (!times_.empty() && frame.time <= times_.back()) return;
   if (times_.empty()) {
     records::write_file_atomically(directory_ / (stem_ + "_walls.vtp"),
                                    point_cloud(frame.wall_x, frame.wall_z, "", ""));

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "frame_clock.hpp"
 #include "gauges/recorder.hpp"
 #include "parapet/flow/channel.hpp"
 #include "parapet/flow/stage_timer.hpp"
@@ -28,22 +29,6 @@ void require_sound_input(const Scene& scene, const Numerics& numerics, const Run
         "particle spacing is " + std::to_string(dx) + " m; allowed: at most 20 million particles";
   }
   if (!text.empty()) throw std::invalid_argument(text);
-}
-
-void show_frame(Flow& flow, const Callbacks& callbacks) {
-  if (!callbacks.on_frame) return;
-  const StageScope scope(flow.setup().timer, Stage::output);
-  flow.refresh();
-  const Fluid& f = std::as_const(flow).fluid();
-  const auto n = static_cast<std::size_t>(f.n);
-  const std::size_t points = flow.walls().size();
-  const auto part = [](const std::vector<double>& values, std::size_t count) {
-    return std::span<const double>(values.data(), count);
-  };
-  callbacks.on_frame({flow.time(), part(f.x, n), part(f.z, n), part(f.u, n), part(f.w, n),
-                      part(f.density, n), part(f.pressure, n), part(f.viscosity, n),
-                      std::span<const std::int32_t>(f.id.data(), n), part(flow.walls().x, points),
-                      part(flow.walls().z, points)});
 }
 
 Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std::string reason) {
@@ -98,10 +83,7 @@ Ending run(Flow& flow, Recorder& recorder, SharedStart& start, const RunOptions&
   };
   const std::int64_t samples =
       std::max<std::int64_t>(1, whole(options.stop_time, options.series_interval));
-  const std::int64_t frame_every =
-      options.frame_interval > 0.0
-          ? std::max<std::int64_t>(1, whole(options.frame_interval, options.series_interval))
-          : 0;
+  FrameClock frames(options, callbacks);
   StageTimer* timer = flow.setup().timer;
   const auto gauge = [&](const auto& action) {
     const StageScope scope(timer, Stage::gauges);
@@ -111,32 +93,38 @@ Ending run(Flow& flow, Recorder& recorder, SharedStart& start, const RunOptions&
   if (begun == 0) {
     gauge([&] { recorder.sample(flow); });
     start.sampled(flow, recorder);
-    if (frame_every > 0) show_frame(flow, callbacks);
+    frames.begin(flow);
   }
   for (std::int64_t sample = std::max<std::int64_t>(1, begun); sample <= samples; ++sample) {
     const double target = sample == samples ? options.stop_time
                                             : static_cast<double>(sample) * options.series_interval;
     while (target - flow.time() > 1e-9 * options.series_interval) {
+      frames.before_step(flow, target);
       if (auto failure = flow.step(target - flow.time())) {
         return {failure->stop_reason,
                 failure->reason + " at t = " + std::to_string(flow.time()) + " s"};
       }
       gauge([&] { recorder.after_step(flow); });
       start.stepped(flow);
+      frames.after_step(flow);
       if (flow.fluid().n == 0) {
         gauge([&] { recorder.sample(flow); });
+        frames.end(flow);
         return {StopReason::drained, ""};
       }
     }
     gauge([&] { recorder.sample(flow); });
     start.sampled(flow, recorder);
-    if (frame_every > 0 && sample % frame_every == 0) show_frame(flow, callbacks);
     if (callbacks.on_progress &&
         !callbacks.on_progress({flow.time(), options.stop_time, flow.statistics().steps})) {
       return {StopReason::cancelled, "cancelled"};
     }
-    if (const auto end = gauge([&] { return recorder.ended(flow); })) return {*end, ""};
+    if (const auto end = gauge([&] { return recorder.ended(flow); })) {
+      frames.end(flow);
+      return {*end, ""};
+    }
   }
+  frames.end(flow);
   return {StopReason::end_time, ""};
 }
 
@@ -164,7 +152,7 @@ Result simulate(const Scene& scene, const Numerics& numerics, const RunOptions& 
   Flow flow(std::move(setup));
   Recorder recorder(scene, flow, options);
   // frames and profiles are of the whole run
-  const bool whole = options.profile || (options.frame_interval > 0.0 && callbacks.on_frame);
+  const bool whole = options.profile || (frames_wanted(options) && callbacks.on_frame);
   SharedStart shared(whole ? nullptr : starts, scene, numerics, options);
   Ending ending = run(flow, recorder, shared, options, callbacks);
   Result result = finish(flow, recorder, ending.stop_reason, std::move(ending.reason));

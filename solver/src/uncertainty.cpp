@@ -139,6 +139,7 @@ Result simulate_with_uncertainty(const Scene& scene, const Numerics& numerics,
           callbacks.on_frame = on_frame;
         } else {
           own.frame_interval = 0.0;
+          own.frame_times.clear();
         }
         if (progressed.cancelled() && k > 0) return;
         runs[k].result = simulate(scene, runs[k].numerics, own, callbacks);

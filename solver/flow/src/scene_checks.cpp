@@ -145,6 +145,11 @@ std::vector<std::string> run_errors(const RunOptions& o) {
   f.require(o.frame_interval >= 0.0, "frame interval", o.frame_interval, "s", "0 (none) or more");
   f.require(o.reading_time >= 0.0 && o.reading_time <= o.stop_time, "reading time", o.reading_time,
             "s", "0 (never) to the stop time");
+  for (std::size_t k = 0; k < o.frame_times.size(); ++k) {
+    const double least = k == 0 ? 0.0 : o.frame_times[k - 1];
+    f.require(o.frame_times[k] >= least, "time of a frame", o.frame_times[k], "s",
+              "0 or more, each after the one before");
+  }
   f.require(o.threads >= 1, "threads", o.threads, "", "1 or more");
   f.require(o.settled.window > 0.0, "settled window", o.settled.window, "s", "more than 0");
   f.require(o.settled.retention_change > 0.0, "settled retention change",

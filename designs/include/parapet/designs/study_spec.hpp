@@ -133,6 +133,13 @@ struct Method {
   double max_finest_runs = 0.0;
 };
 
+/// Which designs of a study are simulated once more at its end, to be looked at.
+enum class Recordings {
+  none,
+  front,  ///< the Pareto set; of one objective the best design and the best start
+  all     ///< all that ended well at the finest spacing
+};
+
 /// A parsed study file, checked and with every default filled in.
 struct StudySpec {
   std::string name;
@@ -144,6 +151,7 @@ struct StudySpec {
   std::vector<Scenario> scenarios;      ///< empty: the base case is the only event
   std::vector<FidelityLevel> fidelity;  ///< at least one, finest (smallest spacing) first
   Method method;
+  Recordings recordings = Recordings::front;
   Json resolved;  ///< everything with defaults written out
   std::string source_file;
 };

@@ -25,7 +25,14 @@ void take_output_folder(const std::filesystem::path& folder, FolderKind kind);
 /// @throws designs::InputError naming the first one
 void refuse_links(const std::filesystem::path& folder);
 
-/// Removes what an earlier simulation left in its folder: result, series, picture and frames.
+/// Where `simulate` puts the recording of its run.
+constexpr const char* simulation_recording = "recording.flow";
+
+/// The page of a folder.
+constexpr const char* report_page = "report.html";
+
+/// Removes what an earlier simulation left in its folder: result, series, picture, recording, page
+/// and frames.
 /// @throws FileError
 void remove_earlier_simulation(const std::filesystem::path& folder);
 

@@ -24,7 +24,8 @@ class FrameWriter {
   /// @throws FileError when the folder cannot be made.
   FrameWriter(std::filesystem::path directory, const std::string& case_name);
 
-  /// Writes one frame and brings the collection up to date. Usable as Callbacks::on_frame.
+  /// Writes one frame and brings the collection up to date. Usable as Callbacks::on_frame. A frame
+  /// that is not later than the one before is passed over.
   /// @throws std::invalid_argument when the frame's arrays [n_fluid] differ in length.
   /// @throws FileError naming the file that cannot be written.
   void add(const solver::Frame& frame);

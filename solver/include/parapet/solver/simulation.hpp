@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "parapet/solver/gauge_settings.hpp"
 #include "parapet/solver/numerics.hpp"
@@ -27,11 +28,12 @@ struct SettledRule {
 /// How long, how often sampled, on how many threads. Times are those of the flume of the default
 /// scene; usual_run_options gives them for another.
 struct RunOptions {
-  double stop_time = 6.0;          ///< [s]
-  double series_interval = 0.005;  ///< [s]
-  double frame_interval = 0.0;     ///< [s]; 0 for no frames
-  int threads = 1;                 ///< the answer does not depend on it
-  bool profile = false;            ///< measure where the time goes
+  double stop_time = 6.0;                ///< [s]
+  double series_interval = 0.005;        ///< [s]
+  double frame_interval = 0.0;           ///< [s]; 0 for none at regular times
+  std::vector<double> frame_times = {};  ///< further times of frames, ascending [s]
+  int threads = 1;                       ///< the answer does not depend on it
+  bool profile = false;                  ///< measure where the time goes
   /// Go on until the whole flow is at rest, although no metric can change any more: for pictures,
   /// series and deposits.
   bool until_rest = false;
@@ -44,9 +46,15 @@ struct RunOptions {
 /// The options with their times in the same ratio to sqrt(H0/g) as those of the default scene.
 RunOptions usual_run_options(const Scene& scene);
 
+/// Whether the options ask for frames at all.
+inline bool frames_wanted(const RunOptions& options) {
+  return options.frame_interval > 0.0 || !options.frame_times.empty();
+}
+
 /// One picture of the particles, valid during the callback. Arrays are [n_fluid] and [n_wall].
 struct Frame {
   double time = 0.0;                       ///< [s]
+  bool last = false;                       ///< the run ends with this state
   std::span<const double> x, z;            ///< position [m]
   std::span<const double> u, w;            ///< velocity [m/s]
   std::span<const double> density;         ///< [kg/m3]
@@ -66,6 +74,9 @@ struct Progress {
 /// Optional hooks; all are called from the calling thread, between time steps.
 struct Callbacks {
   std::function<bool(const Progress&)> on_progress;  ///< return false to cancel the run
+  /// Called at exactly the times that the options ask for, interpolated between two steps where no
+  /// step ends there, and once more with the last state of a run that ends well, also where its
+  /// time was asked for. The run has the same bits with and without frames.
   std::function<void(const Frame&)> on_frame;
 };
 

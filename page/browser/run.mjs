@@ -1,0 +1,365 @@
+// The pages that the program wrote, in headless Chromium without a network:
+//   node browser/run.mjs DIR [SCREENSHOTS]
+// DIR holds the folders study (recommended, with recordings), simulation (recorded, with a hostile
+// name), sweep and validation, each with its report.html. See .ci/page.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { studyPage } from './fixture.mjs';
+import { open } from './open.mjs';
+
+const folder = resolve(process.env.PAGES ?? process.argv[2] ?? 'pages');
+const shots = process.env.SCREENSHOTS;
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const json = (path) => JSON.parse(readFileSync(join(folder, path), 'utf8'));
+const lines = (path) => readFileSync(join(folder, path), 'utf8').trim().split('\n').map((line) => JSON.parse(line));
+
+let browser;
+const scratch = mkdtempSync(join(tmpdir(), 'parapet-browser-'));
+before(async () => {
+  browser = await open();
+  if (shots) mkdirSync(shots, { recursive: true });
+});
+after(async () => {
+  await browser.close();
+  rmSync(scratch, { recursive: true });
+});
+
+/** Opens a page; whatever it asks for beside itself, and every error, is in `wrong`. */
+async function visit(file, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const wrong = [];
+  const address = pathToFileURL(file).href;
+  await context.route('**', (route) => {
+    const url = route.request().url();
+    if (url === address || url.startsWith('data:') || url.startsWith('blob:')) return route.continue();
+    wrong.push(`asked for ${url}`);
+    return route.abort();
+  });
+  page.on('console', (message) => {
+    if (message.type() === 'error' || message.type() === 'warning') wrong.push(`console: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
+  page.on('dialog', (dialog) => {
+    wrong.push(`dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  await page.goto(address);
+  await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+  return { page, wrong, close: () => context.close() };
+}
+
+/** Scrolls through the page, so that every chart is drawn. */
+async function look(page) {
+  const height = await page.evaluate(() => document.documentElement.scrollHeight);
+  for (let y = 0; y < height; y += 600) {
+    await page.evaluate((top) => window.scrollTo(0, top), y);
+    await page.waitForTimeout(60);
+  }
+  await page.evaluate(() => window.scrollTo(0, 0));
+}
+
+async function shoot(page, name, options = {}) {
+  if (shots) await page.screenshot({ path: join(shots, `${name}.png`), ...options });
+}
+
+const values = (page, selector) => page.$$eval(`${selector} data`, (list) => list.map((one) => Number(one.value)));
+
+const kinds = ['study', 'simulation', 'sweep', 'validation'];
+
+for (const kind of kinds) {
+  for (const scheme of ['light', 'dark']) {
+    test(`${kind}, ${scheme}: opens without a network, no errors, axe finds nothing serious`, async () => {
+      const { page, wrong, close } = await visit(join(folder, kind, 'report.html'), { colorScheme: scheme });
+      await look(page);
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+      const serious = violations.filter((one) => one.impact === 'serious' || one.impact === 'critical');
+      assert.deepEqual(serious.map((one) => `${one.id}: ${one.nodes.slice(0, 3).map((node) => node.html).join(' ')}`), []);
+      await shoot(page, `${kind}-${scheme}`, { fullPage: true });
+      assert.deepEqual(wrong, []);
+      await close();
+    });
+  }
+
+  test(`${kind}: prints with page one on A4`, async () => {
+    const { page, wrong, close } = await visit(join(folder, kind, 'report.html'));
+    const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+    const text = pdf.toString('latin1');
+    assert.match(text, /\/MediaBox \[0 0 59[45]\.\d+ 84[12]\.\d+\]/); // 210 by 297 mm in points
+    if (shots) writeFileSync(join(shots, `${kind}.pdf`), pdf);
+    assert.deepEqual(wrong, []);
+    await close();
+  });
+
+  test(`${kind}: fits a narrow screen`, async () => {
+    const { page, close } = await visit(join(folder, kind, 'report.html'), { viewport: { width: 390, height: 800 } });
+    await look(page);
+    const [wide, view] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+    assert.ok(wide <= view + 1, `${wide} pixels wide on a screen of ${view}`);
+    await shoot(page, `${kind}-narrow`, { fullPage: true });
+    await close();
+  });
+}
+
+test('study: its numbers are those of the JSON files', async () => {
+  const advice = json('study/recommendation.json');
+  const { page, close } = await visit(join(folder, 'study/report.html'));
+  const { recommended } = advice;
+  const expected = [
+    ...recommended.variables.filter((one) => one.value !== undefined).map((one) => one.value),
+    ...recommended.objectives.map((one) => one.value),
+    ...recommended.constraints.map((one) => one.value),
+  ].filter((value) => value !== null);
+  assert.deepEqual(await values(page, '#build'), expected);
+  assert.match(await page.textContent('#build .headline'), new RegExp(`Build design ${recommended.id}`));
+  const repeats = (advice.confirmation?.runs ?? []).flatMap((run) => run.objectives).filter((value) => value !== null);
+  assert.deepEqual((await values(page, '#sure table:has(caption:text("simulated again"))')).slice(0, repeats.length), repeats);
+  // The whole table, exported.
+  const download = page.waitForEvent('download');
+  await page.click('#designs button:text("Export as CSV")');
+  const csv = readFileSync(await (await download).path(), 'utf8').trim().split('\r\n').map((line) => line.split(','));
+  const log = lines('study/evaluations.jsonl').filter((one) => one.status !== 'refused');
+  assert.equal(csv.length, log.length + 1);
+  const head = csv[0];
+  log.forEach((record, k) => {
+    const row = Object.fromEntries(head.map((key, c) => [key, csv[k + 1][c]]));
+    assert.equal(row.id, record.id);
+    for (const [name, value] of Object.entries(record.design)) assert.equal(row[name], String(record.options?.[name] ?? value));
+    for (const one of record.objectives) assert.equal(row[one.metric], one.value === null ? '' : String(one.value));
+  });
+  await close();
+});
+
+test('study: sort, filter and select in the table', async () => {
+  const { page, wrong, close } = await visit(join(folder, 'study/report.html'));
+  const log = lines('study/evaluations.jsonl').filter((one) => one.status !== 'refused');
+  const name = Object.keys(log[0].design)[0];
+  const column = await page.$$eval('#designs thead button', (list) => list.map((one) => one.textContent));
+  const label = column.find((text) => text.toLowerCase().startsWith(name.replace(/_(deg|m)$/, '').replace(/_/g, ' ')));
+  await page.click(`#designs thead button:text-is("${label}")`);
+  const at = column.indexOf(label);
+  const shown = await page.$$eval('#designs tbody tr', (rows, k) => rows.map((row) => Number(row.children[k].querySelector('data').value)), at);
+  const sorted = log.map((one) => one.design[name]).sort((a, b) => a - b).slice(0, shown.length);
+  assert.deepEqual(shown, sorted);
+  const middle = sorted[Math.floor(sorted.length / 2)];
+  await page.fill('#designs input[type=search]', `${name} < ${middle}`);
+  const below = log.filter((one) => one.design[name] < middle).length;
+  await page.waitForFunction((n) => document.querySelector('#designs [role=status]').textContent.startsWith(`${n} of`), below);
+  await page.fill('#designs input[type=search]', '');
+  const ids = await page.$$eval('#designs tbody input', (list) => list.slice(0, 5).map((one) => one.getAttribute('aria-label').replace('Compare design ', '')));
+  for (const id of ids) {
+    const box = page.locator(`#designs input[aria-label="Compare design ${id}"]`);
+    if (!(await box.isChecked())) await box.check();
+  }
+  assert.equal(await page.locator('#flow .chosen button').count(), 4); // four at most
+  assert.equal(await page.locator('#flow .drawing').count(), 4);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('study: a click on the front selects, brushing an axis filters every view', async () => {
+  const { page, wrong, close } = await visit(join(folder, 'study/report.html'));
+  const before = await page.locator('#flow .chosen button').count();
+  const chart = page.locator('#else .chart').first();
+  await chart.scrollIntoViewIfNeeded();
+  await page.waitForTimeout(200);
+  // Click where a design must be: the hover text says when the pointer is on one.
+  const box = await chart.boundingBox();
+  let hit = false;
+  for (let y = box.y + 66; y < box.y + box.height - 50 && !hit; y += 9) {
+    for (let x = box.x + 86; x < box.x + box.width - 24 && !hit; x += 9) {
+      await page.mouse.move(x, y);
+      hit = await chart.locator('canvas').first().evaluate((canvas) => canvas.parentElement.style.cursor === 'pointer');
+      if (hit) await page.mouse.click(x, y);
+    }
+  }
+  assert.ok(hit, 'no design was found in the chart');
+  const after = await page.locator('#flow .chosen button').count();
+  assert.equal(Math.abs(after - before), 1);
+  const parallel = page.locator('#else .chart').nth(1);
+  await parallel.scrollIntoViewIfNeeded();
+  await page.waitForTimeout(300);
+  const area = await parallel.boundingBox();
+  const counter = page.locator('#else [role=status]').first();
+  const all = await counter.textContent();
+  await page.mouse.move(area.x + 80, area.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(area.x + 80, area.y + 170, { steps: 4 });
+  await page.mouse.move(area.x + 80, area.y + 220, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForTimeout(300);
+  const some = await counter.textContent();
+  assert.notEqual(some, all);
+  const kept = Number(some.split(' ')[0]);
+  assert.match(await page.textContent('#designs [role=status]'), new RegExp(`^${kept} of `));
+  await page.click('#else button:text("Clear brushes")');
+  assert.equal(await counter.textContent(), all);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('study: playback in step, by buttons and keys', async () => {
+  const { page, wrong, close } = await visit(join(folder, 'study/report.html'));
+  await page.locator('#flow').scrollIntoViewIfNeeded();
+  const canvas = page.locator('#flow canvas.flow').first();
+  await canvas.waitFor();
+  const frame = () => canvas.evaluate((one) => Number(one.dataset.frame));
+  await page.waitForFunction(() => document.querySelector('#flow canvas.flow').dataset.frame === '0');
+  await page.click('#flow .play');
+  await page.waitForFunction(() => Number(document.querySelector('#flow canvas.flow').dataset.frame) > 3);
+  await page.click('#flow .play');
+  const stopped = await frame();
+  await page.waitForTimeout(200);
+  assert.equal(await frame(), stopped);
+  await page.locator('#flow .scrub').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((k) => Number(document.querySelector('#flow canvas.flow').dataset.frame) === k, stopped + 1);
+  await page.keyboard.press('End');
+  await page.waitForFunction(() => {
+    const scrub = document.querySelector('#flow .scrub');
+    return Math.abs(Number(scrub.value) - Number(scrub.max)) < 1e-6;
+  });
+  const last = await frame();
+  assert.ok(last > stopped);
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => document.querySelector('#flow canvas.flow').dataset.frame === '0');
+  // The recording's own last frame is at the time at which the run ended.
+  for (const what of ['pressure', 'viscosity', 'rest']) {
+    const before = await canvas.evaluate((one) => one.toDataURL());
+    await page.selectOption('#flow .controls label:has-text("Colour") select', what);
+    await page.waitForFunction((old) => document.querySelector('#flow canvas.flow').toDataURL() !== old, before);
+  }
+  await page.keyboard.press('End');
+  await shoot(page, 'playback');
+  assert.ok((await page.locator('#flow .cursor').count()) > 0);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('study: the page holds the licences of what it is made of', async () => {
+  const { page, close } = await visit(join(folder, 'study/report.html'));
+  const text = await page.textContent('#licences pre');
+  for (const name of ['echarts', 'zrender', 'tslib']) assert.ok(text.includes(name), name);
+  assert.ok(text.includes('Apache License'));
+  await close();
+});
+
+test('simulation: metrics are those of result.json; a hostile name stays text', async () => {
+  const result = json('simulation/result.json');
+  const { page, wrong, close } = await visit(join(folder, 'simulation/report.html'));
+  assert.equal(await page.textContent('h1'), result.name);
+  assert.ok(/<|"/.test(result.name), 'the name is meant to be hostile');
+  assert.equal(await page.locator('main img, main iframe, main object').count(), 0);
+  const shown = await values(page, '#sure');
+  assert.deepEqual(shown, Object.values(result.metrics).filter((value) => value !== null));
+  await page.waitForFunction(() => document.querySelector('#flow canvas.flow')?.dataset.frame !== undefined);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('sweep: the scorecard holds every printed value', async () => {
+  const sweep = json('sweep/table3.json');
+  const { page, wrong, close } = await visit(join(folder, 'sweep/report.html'));
+  const pairs = sweep.rows.reduce((n, row) => n + Object.keys(row.paper ?? {}).length, 0);
+  assert.match(await page.textContent('#answer .table [role=status]'), new RegExp(`of ${pairs} rows`));
+  const misses = sweep.rows.reduce((n, row) => n + Object.values(row.agreement ?? {}).filter((one) => one.verdict === 'misses').length, 0);
+  const agrees = sweep.rows.reduce((n, row) => n + Object.values(row.agreement ?? {}).filter((one) => one.verdict === 'agrees').length, 0);
+  assert.match(await page.textContent('.headline'), new RegExp(`^${agrees} of ${agrees + misses} printed ranges`));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('validation: the verdict filters measures and figures', async () => {
+  const { page, wrong, close } = await visit(join(folder, 'validation/report.html'));
+  await page.selectOption('#answer label:has-text("Verdict") select', 'missed');
+  const words = await page.$$eval('#answer tbody .badge', (list) => list.map((one) => one.textContent));
+  assert.ok(words.every((word) => word === 'missed'));
+  const cases = await page.$$eval('#answer label:has-text("Case") option', (list) => list.map((one) => one.value)).catch(() => []);
+  void cases;
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('hostile words anywhere in a study stay words', async () => {
+  const marks = '"><img src=x onerror=alert(1)><script>alert(2)</script>{b|x}<!--';
+  const file = join(scratch, 'hostile.html');
+  writeFileSync(file, studyPage(120, `</title><script>alert(3)</script>`, marks));
+  const { page, wrong, close } = await visit(file);
+  await look(page);
+  assert.equal(await page.locator('main img, main script').count(), 0);
+  assert.ok((await page.textContent('.description')).includes(marks));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('5,000 designs do not freeze the page', async () => {
+  const file = join(scratch, 'many.html');
+  writeFileSync(file, studyPage(5000));
+  const { page, wrong, close } = await visit(file);
+  await look(page);
+  // The longest time that the page does not answer while a filter is typed and an axis is brushed.
+  const longest = await page.evaluate(async () => {
+    let last = performance.now();
+    let most = 0;
+    let watching = true;
+    const watch = () => {
+      const now = performance.now();
+      most = Math.max(most, now - last);
+      last = now;
+      if (watching) setTimeout(watch);
+    };
+    watch();
+    const filter = document.querySelector('#designs input[type=search]');
+    filter.value = 'retention > 0.8';
+    filter.dispatchEvent(new Event('input'));
+    await new Promise((done) => setTimeout(done, 1500));
+    watching = false;
+    return most;
+  });
+  assert.ok(longest < 3000, `${longest} ms without an answer`);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('a served page hears of new designs', { skip: !process.env.PARAPET }, async () => {
+  const study = join(scratch, 'served');
+  cpSync(join(folder, 'study'), study, { recursive: true });
+  const server = spawn(process.env.PARAPET, ['serve', study], { stdio: ['ignore', 'pipe', 'ignore'] });
+  try {
+    const address = await new Promise((found) => server.stdout.on('data', (data) => found(String(data).trim())));
+    const page = await browser.newPage();
+    const wrong = [];
+    page.on('console', (message) => message.type() === 'error' && wrong.push(message.text()));
+    page.on('pageerror', (error) => wrong.push(error.message));
+    await page.goto(address);
+    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+    assert.match(await page.textContent('.live'), /waiting for the next design/);
+    const summary = JSON.parse(readFileSync(join(study, 'summary.json'), 'utf8'));
+    await page.waitForTimeout(700);
+    writeFileSync(join(study, 'summary.json'), JSON.stringify({ ...summary, state: 'running' }));
+    await page.waitForFunction(() => document.querySelector('.live').textContent.includes('There is something new'));
+    await Promise.all([page.waitForEvent('load'), page.click('.live button')]);
+    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+    assert.deepEqual(wrong, []);
+    await page.close();
+  } finally {
+    server.kill('SIGINT');
+  }
+});
+
+test('the theme can be switched', async () => {
+  const { page, wrong, close } = await visit(join(folder, 'study/report.html'));
+  const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const before = await paper();
+  await page.click('.theme');
+  assert.notEqual(await paper(), before);
+  assert.deepEqual(wrong, []);
+  await close();
+});

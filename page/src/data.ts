@@ -1,0 +1,322 @@
+/** What the program writes into the page: docs/page.md describes it. Nothing here names a metric. */
+
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+
+/** How a key is written for people; its unit as text, empty for a pure number. */
+export interface KeyInfo {
+  words: string;
+  unit: string;
+  definition?: string;
+}
+
+export interface Program {
+  version: string;
+  git_revision?: string;
+  compiler?: string;
+  physics?: number;
+}
+
+export interface Barrier {
+  foot_x_m: number;
+  height_m: number;
+  thickness_m: number;
+  stem_lean_deg: number;
+  deflector: { angle_deg: number; length_m: number } | null;
+  outline: [number, number][];
+}
+
+export interface Scene {
+  slope_deg: number;
+  gravity_m_s2: number;
+  domain: { length_m: number; height_m: number };
+  reservoir: { length_m: number; height_m: number };
+  monitor_x_m: number;
+  density_kg_m3: number;
+  barriers: Barrier[];
+  solids: [number, number][][];
+}
+
+/** A run whose scene, series and recording the page may hold. Blocks are ids of script elements. */
+export interface Run {
+  scene?: Scene;
+  series?: string;
+  recording?: string;
+  /** How to make a recording that is not there. */
+  record_command?: string;
+}
+
+export interface Common {
+  format: string;
+  kind: 'study' | 'simulation' | 'sweep' | 'validation';
+  name: string;
+  description: string;
+  date: string;
+  hash: string;
+  program: Program;
+  keys: Record<string, KeyInfo>;
+  commands: { what: string; command: string }[];
+  runs: Record<string, Run>;
+  live?: boolean;
+}
+
+export interface Terms {
+  name: string;
+  metric?: string;
+  expression?: string;
+  goal: 'maximize' | 'minimize';
+  statistic?: string;
+}
+
+export interface Estimate extends Terms {
+  value: number | null;
+  estimate: number | null;
+  lower_95: number | null;
+  upper_95: number | null;
+}
+
+export interface ConstraintResult {
+  name: string;
+  metric?: string;
+  expression?: string;
+  statistic?: string;
+  value: number | null;
+  lower: number | null;
+  upper: number | null;
+  satisfied: boolean;
+  margin: number | null;
+  margin_percent: number | null;
+  active: boolean;
+}
+
+export interface VariableResult {
+  name: string;
+  value?: number;
+  option?: string;
+  lower?: number;
+  upper?: number;
+  at_bound: 'lower' | 'upper' | null;
+}
+
+export interface DesignReport {
+  id: string;
+  stage: string;
+  spacing_m: number;
+  variables: VariableResult[];
+  objectives: (Terms & { value: number | null; absent?: boolean })[];
+  constraints: ConstraintResult[];
+  metrics: Record<string, number | null>;
+  metrics_absent: Record<string, string>;
+  estimates?: Estimate[];
+  probability_feasible?: number | null;
+}
+
+export interface ConfirmingRun {
+  id: string;
+  stage: string;
+  spacing_m: number;
+  ok: boolean;
+  reason: string;
+  feasible: boolean;
+  objectives: (number | null)[];
+  violated: string[];
+}
+
+export interface Spread {
+  name: string;
+  metric: string;
+  runs: number;
+  least: number;
+  greatest: number;
+  standard_deviation: number;
+}
+
+export interface Sobol {
+  value: number;
+  lower_95: number;
+  upper_95: number;
+}
+
+export interface MainEffect {
+  at: (number | string)[];
+  mean: number[];
+  lower_95: number[];
+  upper_95: number[];
+}
+
+export interface Sensitivity {
+  domain: string;
+  metrics: {
+    name: string;
+    metric: string;
+    designs: number;
+    q_squared: number | null;
+    varies: boolean;
+    variables: { name: string; first: Sobol; total: Sobol; main_effect: MainEffect }[];
+  }[];
+}
+
+/** The parts of recommendation.json that the page shows; all may be missing. */
+export interface Recommendation {
+  rule?: { name: string; words: string };
+  recommended?: DesignReport | null;
+  least_violating?: DesignReport | null;
+  confirmation?: {
+    verdict: string;
+    runs: ConfirmingRun[];
+    spread: Spread[];
+    refuted: { id: string; violated: string[] }[];
+  } | null;
+  front?: { id: string; objectives: Estimate[]; probability_feasible: number | null }[];
+  hypervolume?: {
+    value: number | null;
+    history: { evaluations: number; hypervolume: number | null }[];
+  } | null;
+  sensitivity?: Sensitivity | null;
+  caveats?: string[];
+  improvement?: {
+    start_id: string;
+    same_design: boolean;
+    objectives: { name: string; start: number | null; best: number | null; better: boolean | null }[];
+  } | null;
+  study?: Record<string, Json>;
+  definitions?: Record<string, string>;
+}
+
+export interface Variable {
+  name: string;
+  lower?: number;
+  upper?: number;
+  options?: string[];
+}
+
+/** Every evaluated design, a list per quantity, all of one length. */
+export interface Designs {
+  id: string[];
+  stage: string[];
+  spacing_m: number[];
+  status: string[];
+  reason: string[];
+  feasible: boolean[];
+  front: boolean[];
+  stop_reason: string[];
+  warnings: string[][];
+  variables: Record<string, (number | string | null)[]>;
+  objectives: Record<string, (number | null)[]>;
+  constraints: Record<string, (number | null)[]>;
+  metrics: Record<string, (number | null)[]>;
+}
+
+/** The surrogate along one variable through a design. */
+export interface Slice {
+  variable: string;
+  at: (number | string)[];
+  median: number[];
+  lower_95: number[];
+  upper_95: number[];
+}
+
+export interface StudyPage extends Common {
+  kind: 'study';
+  state: string;
+  recommendation: Recommendation;
+  variables: Variable[];
+  objectives: Terms[];
+  finest_spacing_m: number;
+  designs: Designs;
+  slices: { design: string; metrics: { metric: string; slices: Slice[] }[] } | null;
+}
+
+export interface Uncertainty {
+  expanded_95: number;
+  discretisation: number;
+  scatter: number;
+  extrapolated: number;
+  order: number;
+  order_observed: boolean;
+  runs: number;
+}
+
+export interface SimulationResult {
+  name: string;
+  status: string;
+  reason: string;
+  stop_reason: string;
+  stop_time_s: number;
+  metrics: Record<string, number | null>;
+  metrics_absent: Record<string, string>;
+  uncertainty?: Record<string, Uncertainty>;
+  warnings?: { key: string; value: number; limit: number; text: string }[];
+  mass: Record<string, number>;
+  statistics: Record<string, number>;
+}
+
+export interface SimulationPage extends Common {
+  kind: 'simulation';
+  result: SimulationResult;
+}
+
+export interface Published {
+  value?: number;
+  lower?: number;
+  upper?: number;
+  source?: string;
+  note?: string;
+}
+
+export interface SweepRow {
+  id: string;
+  description: string;
+  status: string;
+  reason: string;
+  metrics: Record<string, number | null>;
+  metrics_absent: Record<string, string>;
+  paper: Record<string, Published>;
+  agreement: Record<string, { verdict: string; distance?: number }>;
+}
+
+export interface SweepPage extends Common {
+  kind: 'sweep';
+  source: string;
+  spacing_m: number;
+  rows: SweepRow[];
+}
+
+export interface Measure {
+  key: string;
+  what: string;
+  value: number | null;
+  unit?: string;
+  lower?: number;
+  upper?: number;
+  verdict: string;
+  reason?: string;
+  explanation?: string;
+}
+
+export interface ValidationPage extends Common {
+  kind: 'validation';
+  cases: { case: string; title: string; suite: string; failure?: string; measures: Measure[] }[];
+  figures: { case: string; file: string; block: string }[];
+}
+
+export type Page = StudyPage | SimulationPage | SweepPage | ValidationPage;
+
+/** Reads the page's data; throws where there are none. */
+export function readPage(): Page {
+  const element = document.getElementById('page-data');
+  if (!element) throw new Error('the page holds no data');
+  return JSON.parse(element.textContent ?? '') as Page;
+}
+
+/** The bytes of a block of the page; null where it does not hold it. */
+export function blockBytes(id: string | undefined): Uint8Array | null {
+  const element = id ? document.getElementById(id) : null;
+  return element ? fromBase64(element.textContent ?? '') : null;
+}
+
+export function fromBase64(text: string): Uint8Array {
+  const binary = atob(text.trim());
+  const bytes = new Uint8Array(binary.length);
+  for (let k = 0; k < binary.length; ++k) bytes[k] = binary.charCodeAt(k);
+  return bytes;
+}

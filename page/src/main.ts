@@ -1,0 +1,59 @@
+import './page.css';
+import { readPage, type Page } from './data';
+import { h } from './dom';
+import { Keys } from './format';
+import { liveBar } from './live';
+import { simulationSections } from './simulation';
+import { studySections } from './study';
+import { sweepSections } from './sweep';
+import { themeButton } from './theme';
+import { validationSections } from './validation';
+
+const kindWords: Record<Page['kind'], string> = {
+  study: 'Study',
+  simulation: 'Simulation',
+  sweep: 'Sweep',
+  validation: 'Validation',
+};
+
+function sectionsOf(page: Page): HTMLElement[] {
+  const keys = new Keys(page);
+  switch (page.kind) {
+    case 'study':
+      return studySections(page, keys);
+    case 'simulation':
+      return simulationSections(page, keys);
+    case 'sweep':
+      return sweepSections(page, keys);
+    case 'validation':
+      return validationSections(page);
+  }
+}
+
+function show(page: Page): void {
+  const sections = sectionsOf(page);
+  const links = sections.map((one) => h('a', { href: `#${one.id}` }, one.querySelector('h2')!.textContent));
+  document.title = `${page.name} – Parapet`;
+  document.body.replaceChildren(
+    h('a', { class: 'skip', href: '#main' }, 'To the content'),
+    h(
+      'header',
+      {},
+      h('div', { class: 'title' }, h('span', { class: 'kind-of-page' }, kindWords[page.kind]), h('h1', {}, page.name)),
+      h('nav', { 'aria-label': 'Parts of this page' }, ...links),
+      themeButton(),
+    ),
+    h('main', { id: 'main', tabindex: -1 }, page.description ? h('p', { class: 'description' }, page.description) : '', page.live ? liveBar() : '', ...sections),
+    h('footer', {}, `Written by parapet ${page.program.version}${page.program.git_revision ? ` (${page.program.git_revision})` : ''} on ${page.date.slice(0, 10)}. This page asks for nothing from anywhere.`),
+  );
+  document.documentElement.dataset['ready'] = 'true';
+}
+
+// What holds the data leaves the body with the first rendering, but is still needed: keep it aside.
+const store = document.getElementById('page-blocks');
+if (store) document.head.append(store);
+try {
+  show(readPage());
+} catch (error) {
+  document.body.replaceChildren(h('main', {}, h('h1', {}, 'This page is damaged'), h('p', { role: 'alert' }, String(error))));
+}

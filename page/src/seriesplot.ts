@@ -1,0 +1,110 @@
+/** Time series of several runs over each other, with the clock's cursor. */
+import type { Chart } from './chart';
+import { Chart as MadeChart, axisStyle, tooltipStyle } from './chart';
+import type { Clock } from './clock';
+import { palette } from './colors';
+import { h, select } from './dom';
+import type { Keys } from './format';
+import { firstPanels, panels, type Panel } from './panels';
+import type { Series } from './series';
+
+export interface NamedSeries {
+  name: string;
+  series: Series;
+}
+
+const dashes: ('solid' | 'dashed' | 'dotted')[] = ['solid', 'dashed', 'dotted'];
+
+function points(series: Series, values: Float32Array): [number, number | null][] {
+  const times = series.values[0]!;
+  return Array.from(values, (value, k) => [times[k]!, Number.isFinite(value) ? value : null]);
+}
+
+function plot(panel: Panel, runs: NamedSeries[], keys: Keys, clock: Clock): HTMLElement {
+  const lines = (): object[] =>
+    runs.flatMap(({ name, series }, run) =>
+      panel.columns.flatMap((columnName, k) => {
+        const at = series.columns.indexOf(columnName);
+        if (at < 0) return [];
+        const barrier = /^barrier_(\d+)_/.exec(columnName)?.[1];
+        const which = barrier && panel.columns.length > 1 ? `, barrier ${barrier}` : '';
+        return [
+          {
+            id: `${name} ${columnName}`,
+            type: 'line',
+            name: `${name}${which}`,
+            data: points(series, series.values[at]!),
+            showSymbol: false,
+            animation: false,
+            color: palette[run % palette.length],
+            lineStyle: { width: 1.8, type: dashes[k % dashes.length] },
+            sampling: 'minmax',
+          },
+        ];
+      }),
+    );
+  const title = keys.label(panel.columns[0]!).replace(/^barrier \d+ /, '');
+  const chart: Chart = new MadeChart(
+    () => `Time series of ${title} for ${runs.map((run) => run.name).join(', ')}`,
+    () => ({
+      animation: false,
+      grid: { left: 64, right: 16, top: 34, bottom: 44 },
+      tooltip: { trigger: 'axis', ...tooltipStyle(), axisPointer: { type: 'line' } },
+      legend: { top: 4, textStyle: { color: axisColor() }, itemHeight: 8, type: 'plain' },
+      xAxis: axisStyle('time [s]', { type: 'value', nameGap: 26, max: clock.end || undefined }),
+      yAxis: axisStyle('', { type: 'value', scale: true }),
+      series: lines(),
+    }),
+    'series',
+  );
+  const cursor = h('div', { class: 'cursor', 'aria-hidden': 'true' });
+  chart.element.append(cursor);
+  const move = (time: number): void => {
+    const x = chart.instance?.convertToPixel({ xAxisIndex: 0 }, time);
+    if (typeof x === 'number' && Number.isFinite(x)) cursor.style.transform = `translateX(${x}px)`;
+  };
+  const stop = clock.watch(move);
+  chart.whenReady((instance) => {
+    move(clock.time);
+    instance.getZr().on('click', (event) => {
+      const time = instance.convertFromPixel({ xAxisIndex: 0 }, event.offsetX);
+      if (typeof time === 'number') clock.set(time);
+    });
+  });
+  const figure = h('figure', { class: 'panel' }, h('figcaption', {}, title), chart.element);
+  figure.addEventListener('parapet-remove', () => {
+    stop();
+    chart.dispose();
+  });
+  return figure;
+}
+
+function axisColor(): string {
+  return getComputedStyle(document.documentElement).getPropertyValue('--text').trim();
+}
+
+/** Panels of the runs with a choice of what they show. */
+export function seriesPanels(runs: NamedSeries[], keys: Keys, clock: Clock): HTMLElement {
+  const all = panels(runs[0]?.series.columns ?? []);
+  const shown = firstPanels(all);
+  const grid = h('div', { class: 'panels' });
+  const make = (): void => {
+    grid.querySelectorAll('figure').forEach((one) => one.dispatchEvent(new Event('parapet-remove')));
+    grid.replaceChildren(
+      ...shown.map((title, place) => {
+        const panel = all.find((one) => one.title === title)!;
+        const options = all.map((one) => ({
+          value: one.title,
+          text: keys.words(one.columns[0]!).replace(/^barrier \d+ /, ''),
+        }));
+        const choice = select('Shown', options, title, (value) => {
+          shown[place] = value;
+          make();
+        });
+        return h('div', {}, choice, plot(panel, runs, keys, clock));
+      }),
+    );
+  };
+  make();
+  return grid;
+}

@@ -1,0 +1,136 @@
+// Recordings and report.html from the command line.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "parapet/records/flow_recording.hpp"
+#include "program_runner.hpp"
+#include "tiny_specs.hpp"
+
+namespace parapet::test {
+namespace {
+
+using designs::Json;
+using ::testing::IsSubstring;
+namespace fs = std::filesystem;
+
+/// The data that a page shows.
+Json page_data(const fs::path& file) {
+  const std::string html = file_text(file);
+  const std::string begin = "<script type=\"application/json\" id=\"page-data\">";
+  const std::size_t at = html.find(begin) + begin.size();
+  return Json::parse(html.substr(at, html.find("</script>", at) - at));
+}
+
+/// A result without what may differ between repeats.
+Json repeatable(const fs::path& file) {
+  Json result = Json::parse(file_text(file));
+  result.erase("timing");
+  return result;
+}
+
+TEST(Report, ARecordingChangesNoBitOfTheResult) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  const Outcome plain = run_program(folder.path(), {"simulate", "case.json", "--out", "plain"});
+  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  const Outcome seen =
+      run_program(folder.path(), {"simulate", "case.json", "--out", "seen", "--record", "--frames",
+                                  "--frame-interval-s", "0.013", "--record-interval-s", "0.017"});
+  ASSERT_EQ(seen.exit_code, 0) << seen.err;
+  EXPECT_EQ(repeatable(folder / "plain/result.json"), repeatable(folder / "seen/result.json"));
+  EXPECT_EQ(file_text(folder / "plain/series.csv"), file_text(folder / "seen/series.csv"));
+  const auto recording = records::read_recording(file_text(folder / "seen/recording.flow"));
+  const double end = repeatable(folder / "seen/result.json")["stop_time_s"].get<double>();
+  EXPECT_EQ(recording.frames.back().time, end);
+  for (std::size_t k = 0; k + 1 < recording.frames.size(); ++k) {
+    EXPECT_EQ(recording.frames[k].time, static_cast<double>(k) * 0.017);
+  }
+  // The frames of ParaView at their own times.
+  const std::string collection = file_text(folder / "seen/frames/tiny.pvd");
+  EXPECT_PRED_FORMAT2(IsSubstring, "timestep=\"0.013\"", collection);
+  EXPECT_PRED_FORMAT2(IsSubstring, "timestep=\"0.5\"", collection);  // the last state
+}
+
+TEST(Report, FilesOfAnEarlierRunDoNotStayBesideANewResult) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  ASSERT_EQ(run_program(folder.path(), {"simulate", "case.json", "--out", "out", "--record",
+                                        "--picture", "--frames"})
+                .exit_code,
+            0);
+  EXPECT_TRUE(page_data(folder / "out/report.html")["runs"]["tiny"].contains("recording"));
+  ASSERT_EQ(run_program(folder.path(), {"simulate", "case.json", "--out", "out"}).exit_code, 0);
+  for (const char* gone : {"recording.flow", "flow.png", "frames"}) {
+    EXPECT_FALSE(fs::exists(folder / "out" / gone)) << gone;
+  }
+  const Json run = page_data(folder / "out/report.html")["runs"]["tiny"];
+  EXPECT_FALSE(run.contains("recording"));
+  EXPECT_PRED_FORMAT2(IsSubstring, "--record", run["record_command"].get<std::string>());
+}
+
+TEST(Report, HoldsWhatTheFilesHoldAndNoStringEndsTheScript) {
+  const TemporaryFolder folder;
+  Json spec = tiny_case();
+  spec["name"] = "</script><script>alert(1)</script><!-- \" & '";
+  folder.write("case.json", spec.dump());
+  ASSERT_EQ(run_program(folder.path(), {"simulate", "case.json", "--out", "out"}).exit_code, 0);
+  const Json data = page_data(folder / "out/report.html");
+  EXPECT_EQ(data["name"], spec["name"]);
+  const Json result = Json::parse(file_text(folder / "out/result.json"));
+  EXPECT_EQ(data["result"]["metrics"], result["metrics"]);
+  const std::string html = file_text(folder / "out/report.html");
+  EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+  EXPECT_PRED_FORMAT2(IsSubstring, "<title>&lt;/script&gt;", html);
+  EXPECT_PRED_FORMAT2(IsSubstring, "default-src 'none'; script-src 'sha256-", html);
+}
+
+TEST(Report, AStudyRecordsWhatItAsksFor) {
+  const TemporaryFolder folder;
+  Json spec = tiny_search();
+  spec.erase("scenarios");
+  for (const auto& [word, at_least] :
+       {std::pair("none", 0), std::pair("front", 1), std::pair("all", 3)}) {
+    spec["recordings"] = word;
+    folder.write("study.json", spec.dump());
+    const std::string out = std::string("out-") + word;
+    const Outcome outcome = run_program(folder.path(), {"optimize", "study.json", "--out", out});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    int recorded = 0;
+    if (fs::exists(folder / out / "recordings")) {
+      for ([[maybe_unused]] const auto& entry :
+           fs::directory_iterator(folder / out / "recordings")) {
+        ++recorded;
+      }
+    }
+    EXPECT_EQ(recorded == 0, at_least == 0) << word;
+    EXPECT_GE(recorded, at_least) << word;
+    int in_page = 0;
+    const Json data = page_data(folder / out / "report.html");
+    for (const auto& [id, run] : data["runs"].items()) in_page += run.contains("recording") ? 1 : 0;
+    EXPECT_EQ(in_page, recorded) << word;
+    // Every design of the log is in the page, with its bits.
+    EXPECT_EQ(data["designs"]["id"].size(), line_count(folder / out / "evaluations.jsonl"));
+  }
+  // What is recorded changes no design: the same study, resumed, simulates nothing.
+  spec["recordings"] = "all";
+  folder.write("study.json", spec.dump());
+  const Outcome again = run_program(folder.path(), {"optimize", "study.json", "--out", "out-none"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_PRED_FORMAT2(IsSubstring, "(0 by this run", again.out);
+  const Outcome one = run_program(folder.path(), {"report", "out-front", "--record", "no-such"});
+  EXPECT_EQ(one.exit_code, 2);
+  EXPECT_PRED_FORMAT2(IsSubstring, "is no design of this study", one.err);
+}
+
+TEST(Report, AFolderWithoutResultsIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("note.txt", "mine");
+  const Outcome outcome = run_program(folder.path(), {"report", "."});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_PRED_FORMAT2(IsSubstring, "holds no results of Parapet", outcome.err);
+  EXPECT_FALSE(fs::exists(folder / "report.html"));
+}
+
+}  // namespace
+}  // namespace parapet::test
