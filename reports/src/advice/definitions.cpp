@@ -7,7 +7,7 @@
 namespace parapet::reports {
 namespace {
 
-/// 2 for "barrier_2_peak_force_n_per_m"; 0 for a metric of no barrier.
+/// 2 for "barrier_2_design_force_n_per_m"; 0 for a metric of no barrier.
 int barrier_of(const std::string& key) {
   const std::string prefix = "barrier_";
   if (!key.starts_with(prefix)) return 0;

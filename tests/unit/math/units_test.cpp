@@ -46,7 +46,7 @@ TEST(Units, APureNumberHasNone) {
 
 TEST(Units, KeysWithoutThem) {
   EXPECT_EQ(without_unit("launch_length_m"), "launch_length");
-  EXPECT_EQ(without_unit("barrier_1_slam_force_n_per_m"), "barrier_1_peak_force");
+  EXPECT_EQ(without_unit("barrier_1_slam_force_n_per_m"), "barrier_1_slam_force");
 }
 
 }  // namespace
