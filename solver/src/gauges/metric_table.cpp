@@ -122,6 +122,7 @@ constexpr std::array with_barrier{
                   return run.impact->x - run.first_foot_x;
                 },
                 .coarsest = [](Settings s) { return 1.5 * s.landing_height_ratio; },
+                .coarse_reason = &absence::too_large,
                 .mass_share = [](Settings s) { return s.launch_mass_share; }},
     MetricEntry{.key = "impact_x_m",
                 .unit = "m",
@@ -132,6 +133,7 @@ constexpr std::array with_barrier{
                   return {of(run.impact, &LaunchGauge::Impact::x), nothing_landed};
                 },
                 .coarsest = [](Settings s) { return 1.5 * s.landing_height_ratio; },
+                .coarse_reason = &absence::too_large,
                 .mass_share = [](Settings s) { return s.launch_mass_share; }},
     MetricEntry{
         .key = "impact_time_s",
@@ -144,6 +146,7 @@ constexpr std::array with_barrier{
           return {of(run.impact, &LaunchGauge::Impact::time), nothing_landed};
         },
         .coarsest = [](Settings s) { return 1.5 * s.landing_height_ratio; },
+        .coarse_reason = &absence::too_large,
         .mass_share = [](Settings s) { return s.impact_mass_share; }},
     MetricEntry{.key = "landing_speed_m_s",
                 .unit = "m/s",
@@ -156,6 +159,7 @@ constexpr std::array with_barrier{
                   return {of(run.impact, &LaunchGauge::Impact::landing_speed), nothing_landed};
                 },
                 .coarsest = [](Settings s) { return 1.5 * s.landing_height_ratio; },
+                .coarse_reason = &absence::too_large,
                 .mass_share = [](Settings s) { return s.launch_mass_share; }},
     MetricEntry{
         .key = "launch_angle_deg",
@@ -170,6 +174,7 @@ constexpr std::array with_barrier{
           return run.launch->angle / degree;
         },
         .coarsest = [](Settings s) { return 1.5 * s.landing_height_ratio; },
+        .coarse_reason = &absence::too_large,
         .mass_share = [](Settings s) { return s.launch_mass_share; }},
     MetricEntry{.key = "launch_speed_m_s",
                 .unit = "m/s",
@@ -181,6 +186,7 @@ constexpr std::array with_barrier{
                   return {of(run.launch, &LaunchGauge::Launch::speed), why_no_launch(run)};
                 },
                 .coarsest = [](Settings s) { return 1.5 * s.landing_height_ratio; },
+                .coarse_reason = &absence::too_large,
                 .mass_share = [](Settings s) { return s.launch_mass_share; }},
     MetricEntry{
         .key = "ballistic_launch_length_m",
@@ -195,6 +201,7 @@ constexpr std::array with_barrier{
           return run.launch->x - run.first_foot_x + ballistic_distance(run, *run.launch);
         },
         .coarsest = [](Settings s) { return 1.5 * s.landing_height_ratio; },
+        .coarse_reason = &absence::too_large,
         .mass_share = [](Settings s) { return s.launch_mass_share; }},
     MetricEntry{.key = "launch_tip_x_m",
                 .unit = "m",
@@ -599,7 +606,7 @@ std::vector<const Absent*> absent_when(const MetricEntry& entry) {
     reasons.push_back(reason);
     may_come = may_come || reason->may_come;
   }
-  if (entry.coarsest) reasons.push_back(&absence::too_coarse);
+  if (entry.coarsest) reasons.push_back(entry.coarse_reason);
   if (entry.mass_share) reasons.push_back(&absence::too_few);
   if (may_come) reasons.push_back(&absence::run_too_short);
   return reasons;

@@ -31,6 +31,10 @@ inline constexpr Absent too_few{
     "fewer than 2 particles make up its share of the released mass: finer particles, or a larger "
     "share under `gauges`",
     Absence::too_coarse};
+inline constexpr Absent too_large{
+    "the particles are coarser than 1.5 landing_height and cannot come so near the bed: finer "
+    "particles, or a larger height under `gauges`",
+    Absence::too_coarse};
 inline constexpr Absent run_too_short{
     "the run ended at its stop time while the flow could still bring it", Absence::run_too_short};
 }  // namespace absence
@@ -62,6 +66,7 @@ struct MetricEntry {
   // The coarsest particles that resolve it, over H0, and the smallest share of the released mass
   // that it looks at; nullptr: any.
   double (*coarsest)(const GaugeSettings& settings) = nullptr;
+  const Absent* coarse_reason = &absence::too_coarse;
   double (*mass_share)(const GaugeSettings& settings) = nullptr;
   // Of a quantity that describes the state at the end, and creeps: the range of its values. The
   // others are settled by an event.

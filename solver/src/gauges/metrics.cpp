@@ -11,13 +11,17 @@ namespace parapet::solver {
 // What the particles do not resolve is not told, nor what a longer run might still bring.
 Reading read(const MetricEntry& entry, const RunReadings& run, std::size_t barrier) {
   constexpr double rounding = 1e-9;
+  const Reading reading = entry.gauge(run, barrier);
+  // what no run of this case could have stays the reason
+  const bool impossible = !reading.value && !reading.absent->may_come &&
+                          reading.absent->kind == Absence::does_not_exist;
+  if (impossible) return reading;
   const double coarsest = entry.coarsest ? entry.coarsest(run.settings) * run.event_length : 1e300;
-  if (run.spacing > coarsest * (1.0 + rounding)) return absence::too_coarse;
+  if (run.spacing > coarsest * (1.0 + rounding)) return *entry.coarse_reason;
   if (entry.mass_share &&
       entry.mass_share(run.settings) * run.particles < fewest_in_share * (1.0 - rounding)) {
     return absence::too_few;
   }
-  const Reading reading = entry.gauge(run, barrier);
   if (reading.value || !run.unfinished || !reading.absent->may_come) return reading;
   return absence::run_too_short;
 }

@@ -154,6 +154,11 @@ TEST(Simulation, ARunEndsWhenNoMetricCanChangeAnyMore) {
     EXPECT_LT(metrics.stop_time, rest.stop_time) << n_barriers;
     for (std::size_t k = 0; k < metrics.metrics.size(); ++k) {
       const Metric &a = metrics.metrics[k], &b = rest.metrics[k];
+      if (a.key.find("_static_") != std::string::npos) {
+        EXPECT_EQ(a.absence, Absence::run_too_short) << "read at rest only";
+        EXPECT_TRUE(b.value) << b.key;
+        continue;
+      }
       ASSERT_EQ(a.value.has_value(), b.value.has_value()) << a.key << ", " << n_barriers;
       if (!a.value) continue;
       // Everything is the same to the bit but for what creeps over the deflector's edge, see the

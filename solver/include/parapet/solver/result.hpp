@@ -120,7 +120,7 @@ struct QualityLimits {
   static constexpr double energy_gain_ratio = 0.05;
   static constexpr double density_error_max = 0.1;
   static constexpr double mass_spread = 0.15;
-  static constexpr double spray_share_max = 0.1;
+  static constexpr double spray_share_max = 0.6;
   static constexpr double wall_contacts_per_particle = 1.0;
   static constexpr double particles_across_approach = 4.0;  ///< at least
 };

@@ -217,6 +217,7 @@ TEST(MetricTable, WhatTheParticlesDoNotResolveIsAbsentForThatReason) {
   EXPECT_EQ(absence("barrier_2_arrival_time_s"), Absence::too_coarse);
   EXPECT_EQ(absence("retention_efficiency"), Absence::none);
   EXPECT_EQ(absence("launch_length_m"), Absence::none);
+  EXPECT_EQ(absence("flow_depth_max_m"), Absence::does_not_exist) << "whatever the particles";
   run.settings.dead_zone_window_ratio = 0.2;
   EXPECT_EQ(absence("dead_zone_length_m"), Absence::none);
   run.spacing = 0.005;
