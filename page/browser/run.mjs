@@ -90,6 +90,17 @@ for (const kind of kinds) {
 
   test(`${kind}: prints with page one on A4`, async () => {
     const { page, wrong, close } = await visit(join(folder, kind, 'report.html'));
+    await look(page);
+    // At the width of the paper nothing is wider: else the browser shrinks everything, drawings too.
+    await page.emulateMedia({ media: 'print' });
+    await page.setViewportSize({ width: 688, height: 1000 }); // 182 mm
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= 688, `${wide} pixels on 688`);
+    for (const width of await page.$$eval('.sheet-drawing .drawing', (list) => list.map((one) => one.getBoundingClientRect().width))) {
+      assert.ok(Math.abs(width - (180 / 25.4) * 96) < 1, `a drawing ${width} pixels wide is not 180 mm`);
+    }
+    const first = await page.evaluate(() => document.querySelector('main section').getBoundingClientRect().bottom + scrollY);
+    if (kind === 'study') assert.ok(first <= (269 / 25.4) * 96, `page one is ${first} pixels high`); // 297 mm less its margins
     const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
     const text = pdf.toString('latin1');
     assert.match(text, /\/MediaBox \[0 0 59[45]\.\d+ 84[12]\.\d+\]/); // 210 by 297 mm in points

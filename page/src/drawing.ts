@@ -120,7 +120,8 @@ function overview(scene: Scene, top: number, metres: boolean): { parts: Child[];
   const points = [world(0, 0), world(length, 0), world(0, rh * 1.1), world(rl, rh)];
   for (const b of scene.barriers) points.push(...b.outline.map(([x, z]) => world(x, z)));
   const box = boxOf(points);
-  const scale = scaleFor(box.right - box.left, sheetWidth - 20);
+  // Low enough that the sheet leaves room for the numbers on page one.
+  const scale = Math.max(scaleFor(box.right - box.left, sheetWidth - 20), scaleFor(box.top - box.bottom, 50));
   const view = new View(box, scale, (sheetWidth - View.width(box, scale)) / 2, top + 6);
   const at = (x: number, z: number): Point => view.at(world(x, z));
   const wall = at(0, 0);
@@ -159,7 +160,7 @@ function detail(
   const size = Math.max(barrier.height_m, barrier.deflector?.length_m ?? 0);
   points.push(world(foot[0] - 0.35 * size, 0), world(foot[0] + 0.5 * size, 0));
   const box = boxOf(points);
-  const scale = Math.max(scaleFor(box.right - box.left, width - 34), scaleFor(box.top - box.bottom, 62));
+  const scale = Math.max(scaleFor(box.right - box.left, width - 34), scaleFor(box.top - box.bottom, 40));
   const view = new View(box, scale, left + (width - View.width(box, scale)) / 2 + 4, top + 12);
   const at = (p: Point): Point => view.at(world(p[0], p[1]));
   const [f, c] = [at(foot), at(crest)];
