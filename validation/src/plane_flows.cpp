@@ -169,7 +169,8 @@ void plane_flows(CaseRun& run) {
           "error is above 1 %";
       order.explanation =
           flows[flow].material.yield_stress > 0.0
-              ? "the coarse errors are small already: with s = 1 in place of the yield fraction they are "
+              ? "the coarse errors are small already: with s = 1 in place of the yield fraction "
+                "they are "
                 "1.5 to 2.7 times as large at 10 across, and the order to 20 is 1.7 to 1.8"
               : "errors of tenths of a per cent are the disorder of the "
                 "particles, which falls with the first power";

@@ -63,12 +63,12 @@ void add_tank(CaseRun& run, const Tank& tank, const TankRun& r) {
     run.add(m);
   };
   const bool thin = tank.material.yield_stress == 0.0;
-  const char* shaken = tank.barrier
-                           ? "wall points are as coarse as the particles, whose force jumps as they pass "
-                             "from point to point: with four times as many on a length, rms speed "
-                             "and pressure error around a barrier are 0.8 and 4.9 % instead of 2.1 "
-                             "and 9.0 %; that many around the corners alone change nothing"
-                           : "sound and eddies from the start, which nothing damps";
+  const char* shaken =
+      tank.barrier ? "wall points are as coarse as the particles, whose force jumps as they pass "
+                     "from point to point: with four times as many on a length, rms speed "
+                     "and pressure error around a barrier are 0.8 and 4.9 % instead of 2.1 "
+                     "and 9.0 %; that many around the corners alone change nothing"
+                   : "sound and eddies from the start, which nothing damps";
   const char* still_why =
       "packed particles are uneven, and debris keeps that: with four wall points on a length "
       "instead of one the error around a barrier falls from 1.8 to 1.4 %";

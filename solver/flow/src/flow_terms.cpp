@@ -23,8 +23,8 @@ constexpr double spray_stretch = 0.001;
 constexpr double farthest_shift = 0.15;
 
 // Diffusivity of the masses over h u_max, the scale of the shifting (Eq. 9), whose exchange drives
-// them apart: in the tank of water with a barrier they deviate by 5.0 % after 10 s without it, by 2.9 %
-// with it. 0.2 leaves 2.4 %, and shortens the run-out of the thin slump by 1.4 %.
+// them apart: in the tank of water with a barrier they deviate by 5.0 % after 10 s without it,
+// by 2.9 % with it. 0.2 leaves 2.4 %, and shortens the run-out of the thin slump by 1.4 %.
 constexpr double mass_levelling = 0.05;
 
 }  // namespace

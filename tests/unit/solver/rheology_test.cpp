@@ -67,7 +67,8 @@ TEST(Quadrature, IsOneForAnIsotropicCompleteNeighbourhood) {
 }
 
 TEST(Quadrature, MakesUpForRowsThatShearAlongEachOther) {
-  // P = 1.16, Q = 0.84, a square lattice of h = 1.33 dx: simple shear (a = 0) sees Q alone, extension (b = 0) sees P alone
+  // P = 1.16, Q = 0.84, a square lattice of h = 1.33 dx: simple shear (a = 0) sees Q alone,
+  // extension (b = 0) sees P alone
   EXPECT_NEAR(viscous_quadrature(1.16, 0.0, 0.84, 0.0, 1.0), 1.0 / 0.84, 1e-9);
   EXPECT_NEAR(viscous_quadrature(1.16, 0.0, 0.84, 1.0, 0.0), 1.0 / 1.16, 1e-9);
 }
