@@ -121,7 +121,7 @@ function overview(scene: Scene, top: number, metres: boolean): { parts: Child[];
   for (const b of scene.barriers) points.push(...b.outline.map(([x, z]) => world(x, z)));
   const box = boxOf(points);
   // Low enough that the sheet leaves room for the numbers on page one.
-  const scale = Math.max(scaleFor(box.right - box.left, sheetWidth - 20), scaleFor(box.top - box.bottom, 50));
+  const scale = Math.max(scaleFor(box.right - box.left, sheetWidth - 20), scaleFor(box.top - box.bottom, 54));
   const view = new View(box, scale, (sheetWidth - View.width(box, scale)) / 2, top + 6);
   const at = (x: number, z: number): Point => view.at(world(x, z));
   const wall = at(0, 0);
@@ -142,7 +142,7 @@ function overview(scene: Scene, top: number, metres: boolean): { parts: Child[];
     svg('path', { class: 'dimension-line', d: path([end, [end[0] - 16, end[1]]]) }),
     text([end[0] - 17, end[1] + 1], `${Number(scene.slope_deg.toFixed(2))}°`, { 'text-anchor': 'end' }),
   );
-  return { parts, height: View.height(box, scale) + 20, scale };
+  return { parts, height: View.height(box, scale) + 15, scale };
 }
 
 function detail(
@@ -195,7 +195,7 @@ function detail(
       }),
     );
   }
-  return { parts, height: View.height(box, scale) + 22 };
+  return { parts, height: View.height(box, scale) + 15 };
 }
 
 function scaleText(n: number): string {

@@ -1,6 +1,7 @@
 #include "frame_clock.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -66,7 +67,7 @@ void FrameClock::advance() {
 void FrameClock::begin(Flow& flow) {
   if (!wanted_) return;
   while (next_time() <= flow.time()) {
-    show(flow, false);
+    show(flow, next_time(), false);
     advance();
   }
 }
@@ -81,7 +82,7 @@ void FrameClock::after_step(Flow& flow) {
   const double now = flow.time(), near = rounding * options_.series_interval;
   for (double next = next_time(); next <= now + near; next = next_time()) {
     if (next >= now - near || !kept_) {
-      show(flow, false);
+      show(flow, next, false);  // the step ends there, but for rounding
     } else {
       show_between(flow, next);
     }
@@ -90,15 +91,18 @@ void FrameClock::after_step(Flow& flow) {
 }
 
 void FrameClock::end(Flow& flow) {
-  if (wanted_) show(flow, true);
+  if (!wanted_) return;
+  const bool shown = std::abs(flow.time() - last_shown_) <= rounding * options_.series_interval;
+  show(flow, shown ? last_shown_ : flow.time(), true);
 }
 
-void FrameClock::show(Flow& flow, bool last) {
+void FrameClock::show(Flow& flow, double time, bool last) {
   const StageScope scope(flow.setup().timer, Stage::output);
   flow.refresh();
-  Frame frame = frame_of(flow, flow.time());
+  Frame frame = frame_of(flow, time);
   frame.last = last;
   callbacks_.on_frame(frame);
+  last_shown_ = time;
 }
 
 void FrameClock::keep(Flow& flow) {

@@ -40,7 +40,7 @@ class FrameClock {
 
   double next_time() const;
   void advance();
-  void show(Flow& flow, bool last);
+  void show(Flow& flow, double time, bool last);
   void show_between(Flow& flow, double time);
   void keep(Flow& flow);
 
@@ -49,6 +49,7 @@ class FrameClock {
   bool wanted_;
   std::int64_t regular_ = 0;  // frames of the interval that were offered
   std::size_t chosen_ = 0;    // of the further times
+  double last_shown_ = -1.0;  // [s]
   bool kept_ = false;         // whether before_ is the state before the step
   State before_, between_;
   std::vector<std::int32_t> place_;  // of an id in before_; -1: not there

@@ -21,7 +21,18 @@ struct SmallFlow {
   std::vector<double> wall_x{0.0, 3.0}, wall_z{-0.0025, -0.0075};
 
   solver::Frame frame(double time) const {
-    return {time, x, z, u, w, density, pressure, viscosity, id, wall_x, wall_z};
+    return {.time = time,
+            .last = false,
+            .x = x,
+            .z = z,
+            .u = u,
+            .w = w,
+            .density = density,
+            .pressure = pressure,
+            .viscosity = viscosity,
+            .id = id,
+            .wall_x = wall_x,
+            .wall_z = wall_z};
   }
 };
 
