@@ -72,6 +72,11 @@ void scale_defaults(SchemaNode schema, const Json& given, Json& resolved) {
                     reservoir.at("length_m").get<double>(),
                     resolved.at("channel").at("gravity_m_s2").get<double>()};
   scale(schema, &given, resolved, event);
+  Json& channel = resolved["channel"];
+  const bool placed = given.contains(Json::json_pointer("/channel/monitor_x_m"));
+  if (!placed && channel.at("monitor_x_m") > channel.at("length_m")) {
+    channel["monitor_x_m"] = channel.at("length_m").get<double>();  // a short channel's end
+  }
 }
 
 }  // namespace parapet::designs
