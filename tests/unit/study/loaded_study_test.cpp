@@ -176,8 +176,8 @@ TEST_F(StudyOnDisk, SaysWhichDesignsEndedAtTheStopTimeFromTheLogAlone) {
   records::EvaluationRecord settled = record(1), late = record(2), late_event = record(3);
   settled.stop_reason = "settled";
   late.stop_reason = "end_time";
-  late_event.scenarios = {{"usual", 0.5, true, "", late.metrics, 0.0, 0.0, 0.0, "settled", ""},
-                          {"soft", 0.5, true, "", late.metrics, 0.0, 0.0, 0.0, "end_time", ""}};
+  late_event.scenarios = {{"usual", 0.5, true, "", late.metrics, 0.0, 0.0, 0.0, "settled", "", {}},
+                          {"soft", 0.5, true, "", late.metrics, 0.0, 0.0, 0.0, "end_time", "", {}}};
   write("evaluations.jsonl", line(settled) + line(late) + line(late_event));
   EXPECT_EQ(study::load_study_folder(folder).unsettled, (std::set<std::string>{"0002", "0003"}));
 }
