@@ -5,6 +5,7 @@
 #include "parallel.hpp"
 #include "parapet/flow/flow.hpp"
 #include "parapet/flow/index.hpp"
+#include "parapet/flow/rheology.hpp"
 #include "parapet/flow/shifting.hpp"
 #include "parapet/flow/stage_timer.hpp"
 #include "viscous_solve.hpp"

@@ -100,7 +100,7 @@ TEST(SimulationJson, RoundTripKeepsEveryBit) {
   simulation.reason = "density \"range\"\nµ";
   simulation.metrics = {
       {"third", 1.0 / 3.0, ""},
-      {"absent", std::nullopt, "nothing overflows"},
+      {"absent", std::nullopt, "nothing overflows", {}, solver::Absence::run_too_short},
       {"least", std::numeric_limits<double>::denorm_min(), ""},
       {"negative_zero", -0.0, ""},
       {"infinite", -std::numeric_limits<double>::infinity(), "because"},
