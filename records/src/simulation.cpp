@@ -83,6 +83,7 @@ StoredSimulation stored_simulation(const Json& json) {
   stored.simulation.cpu_time = record.cpu_time;
   stored.simulation.particle_steps = record.particle_steps;
   stored.simulation.stop_reason = record.stop_reason;
+  stored.simulation.warnings = record.warnings;
   if (json.contains("details")) stored.simulation.report = json["details"];
   return stored;
 }

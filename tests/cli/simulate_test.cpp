@@ -35,8 +35,8 @@ TEST(Simulate, WritesResultAndSeries) {
   }
   const std::string series = file_text(out / "series.csv");
   EXPECT_TRUE(series.starts_with("time_s,"));
-  // A sample every 5 ms of half a second, the first at 0, and the header.
-  EXPECT_EQ(line_count(out / "series.csv"), 102U);
+  // A sample every 0.035 sqrt(H0/g) = 3.54 ms of half a second, the first at 0, and the header.
+  EXPECT_EQ(line_count(out / "series.csv"), 143U);
   EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, "nan", series);
 }
 

@@ -39,6 +39,9 @@ solver::Result recorded(const SingleBarrier& design, const solver::Numerics& num
 }
 
 // Standard deviation of a metric between the repeats.
+// A cubic has four coefficients; fewer values than this say nothing of what is left beside it.
+constexpr std::size_t least_values = 8;
+
 double scatter_of(const Sweep& sweep, const JudgedMetric& judged) {
   double sum = 0.0, square = 0.0, n = 0.0;
   std::vector<double> values;
@@ -89,6 +92,7 @@ void judge(CaseRun& run, const Sweep& sweep, const JudgedMetric& judged) {
     x.push_back(sweep.x[k]);
     y.push_back(value);
   }
+  if (x.size() < least_values) return;  // too coarse for this metric, as in the quick suite
   const Residuals r = cubic_residuals(x, y);
   const std::string key = fmt::format("{}_{}", sweep.key, judged.key);
   const std::string of = fmt::format("{}: {}", sweep.name, judged.name);
