@@ -14,8 +14,6 @@ void write_report(const Session& session, const std::filesystem::path& folder,
     session.log->info("page: open {} in a browser", (folder / records::report_page).string());
   } catch (const designs::InputError& error) {
     session.log->warn("no page: {}", error.what());
-  } catch (const records::FileError& error) {
-    session.log->warn("no page: {}", error.what());
   }
 }
 
