@@ -339,32 +339,6 @@ test('5,000 designs do not freeze the page', async () => {
   await close();
 });
 
-test('a served page hears of new designs', { skip: !process.env.PARAPET }, async () => {
-  const study = join(scratch, 'served');
-  cpSync(join(folder, 'study'), study, { recursive: true });
-  const server = spawn(process.env.PARAPET, ['serve', study], { stdio: ['ignore', 'pipe', 'ignore'] });
-  try {
-    const address = await new Promise((found) => server.stdout.on('data', (data) => found(String(data).trim())));
-    const page = await browser.newPage();
-    const wrong = [];
-    page.on('console', (message) => message.type() === 'error' && wrong.push(message.text()));
-    page.on('pageerror', (error) => wrong.push(error.message));
-    await page.goto(address);
-    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
-    assert.match(await page.textContent('.live'), /waiting for the next design/);
-    const summary = JSON.parse(readFileSync(join(study, 'summary.json'), 'utf8'));
-    await page.waitForTimeout(700);
-    writeFileSync(join(study, 'summary.json'), JSON.stringify({ ...summary, state: 'running' }));
-    await page.waitForFunction(() => document.querySelector('.live').textContent.includes('There is something new'));
-    await Promise.all([page.waitForEvent('load'), page.click('.live button')]);
-    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
-    assert.deepEqual(wrong, []);
-    await page.close();
-  } finally {
-    server.kill('SIGINT');
-  }
-});
-
 test('the theme can be switched', async () => {
   const { page, wrong, close } = await visit(join(folder, 'study/report.html'));
   const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
