@@ -187,13 +187,14 @@ test('study: a click on the front selects, brushing an axis filters every view',
   for (let y = box.y + 66; y < box.y + box.height - 50 && !hit; y += 9) {
     for (let x = box.x + 86; x < box.x + box.width - 24 && !hit; x += 9) {
       await page.mouse.move(x, y);
-      hit = await chart.locator('canvas').first().evaluate((canvas) => canvas.parentElement.style.cursor === 'pointer');
-      if (hit) await page.mouse.click(x, y);
+      const pointed = await chart.locator('canvas').first().evaluate((canvas) => canvas.parentElement.style.cursor === 'pointer');
+      if (!pointed) continue;
+      await page.mouse.click(x, y);
+      // Other things than designs are pointed at as well, such as the legend.
+      hit = Math.abs((await page.locator('#flow .chosen button').count()) - before) === 1;
     }
   }
-  assert.ok(hit, 'no design was found in the chart');
-  const after = await page.locator('#flow .chosen button').count();
-  assert.equal(Math.abs(after - before), 1);
+  assert.ok(hit, 'no click in the chart selects a design');
   const parallel = page.locator('#else .chart').nth(1);
   await parallel.scrollIntoViewIfNeeded();
   await page.waitForTimeout(300);
