@@ -128,7 +128,7 @@ void FrameClock::show_between(Flow& flow, double time) {
   const double share = (time - before_.time) / (flow.time() - before_.time);
   std::int32_t most = -1;
   for (const std::int32_t id : before_.id) most = std::max(most, id);
-  place_.assign(static_cast<std::size_t>(most + 1), -1);
+  place_.assign(static_cast<std::size_t>(most) + 1, -1);
   for (std::size_t k = 0; k < before_.id.size(); ++k) {
     place_[static_cast<std::size_t>(before_.id[k])] = static_cast<std::int32_t>(k);
   }

@@ -87,8 +87,7 @@ TEST(HostileText, ControlCharactersAreRefusedWithTheirPlace) {
                                           "a\tb",
                                           "a\rb",
                                           "\x7f",
-                                          "\xc2\x9b"
-                                          "31m",
+                                          std::string("\xc2\x9b") + "31m",
                                           "\xe2\x80\xae",
                                           "\xe2\x81\xa6",
                                           "\xe2\x80\xa8",
