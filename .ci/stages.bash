@@ -23,25 +23,36 @@ install_tools() {
   apt-get -q -y install --no-install-recommends "$@"
 }
 
-# Runs a stage so that any failing command ends it, and notes how it went.
+# Runs a stage so that any failing command ends it, and notes how it went. What a failed stage said is
+# said again before the summary, as far as it tells why.
 failed=0
 summary=""
+reasons=""
 run_stage() {
-  local name=$1 start=$SECONDS status verdict=ok
+  local name=$1 start=$SECONDS status verdict=ok said=$work/said.$1
   printf '\n=== %s\n' "$name"
   set +e
   (
     set -e
     "$name"
-  ) </dev/null 2>&1
-  status=$?
+  ) </dev/null 2>&1 | tee "$said"
+  status=${PIPESTATUS[0]}
   set -e
   if ((status != 0)); then
     verdict="FAILED (exit $status)"
     failed=1
+    reasons+=$(printf '\n=== why %s failed\n' "$name" && why "$said")$'\n'
   fi
+  rm -f "$said"
   summary+=$(printf '%-17s %5d s  %s' "$name" $((SECONDS - start)) "$verdict")$'\n'
   printf '=== %s: %s, %d s\n' "$name" "$verdict" $((SECONDS - start))
+}
+
+# The lines of a log that look like errors, and its end.
+why() {
+  grep -nE -A4 'error:|Error |FAILED|Failed|undefined reference|No such file' "$1" | cut -c 1-300 | head -n 60 || true
+  printf -- '--- its last lines\n'
+  tail -n 25 "$1" | cut -c 1-300
 }
 
 # All stages, or those that are named; the last lines sum up. Exits with 1 if one failed.
@@ -57,6 +68,7 @@ run_stages() {
   for name in "${wanted[@]}"; do
     run_stage "$name"
   done
+  printf '%s' "$reasons"
   printf '\n=== summary\n%stotal             %5d s\n' "$summary" "$SECONDS"
   exit "$failed"
 }
