@@ -71,14 +71,27 @@ TEST(EvaluationLogFile, KeepsScenariosOptionsAndCosts) {
   record.cpu_time = 1.0 / 3.0;
   record.particle_steps = 1e7;
   record.stop_reason = "settled";
-  record.scenarios = {{"soft", 0.25, true, "", record.metrics, 0.5, 0.1, 4e6, "end_time", "00ff"},
-                      {"stiff", 0.75, false, "it broke", {}, 0.0, 0.0, 0.0, "", ""}};
+  record.scenarios = {{"soft",
+                       0.25,
+                       true,
+                       "",
+                       record.metrics,
+                       0.5,
+                       0.1,
+                       4e6,
+                       "end_time",
+                       "00ff",
+                       {{"mass_spread", 0.3, 0.1, "masses differ"}}},
+                      {"stiff", 0.75, false, "it broke", {}, 0.0, 0.0, 0.0, "", "", {}}};
   const auto json = records::to_json(record);
   const EvaluationRecord again = records::record_from_json(designs::Json::parse(json.dump()));
   EXPECT_EQ(records::to_json(again).dump(), json.dump());
   ASSERT_EQ(again.scenarios.size(), 2U);
   EXPECT_EQ(again.scenarios[0].metrics[1].absent_reason, "no \"overflow\"\n");
   EXPECT_EQ(again.scenarios[0].case_hash, "00ff");
+  ASSERT_EQ(again.scenarios[0].warnings.size(), 1U);
+  EXPECT_EQ(again.scenarios[0].warnings[0].text, "masses differ");
+  EXPECT_TRUE(again.scenarios[1].warnings.empty());
   EXPECT_EQ(again.scenarios[1].reason, "it broke");
   EXPECT_EQ(again.options.at("deflector"), "plate");
   EXPECT_EQ(again.stop_reason, "settled");
