@@ -84,6 +84,8 @@ DiscretisationError discretisation_error(std::span<const double> spacings,
   }
   error.extrapolated = fit.limit;
   error.order = fit.order;
+  error.coefficient = fit.slope;
+  error.deviation = fit.deviation;
   const double safety = error.order_observed && fit.deviation < range ? 1.25 : 3.0;
   error.uncertainty = safety * std::abs(values.front() - fit.limit) + fit.deviation +
                       std::abs(values.front() - fit(h.front()));

@@ -23,6 +23,7 @@ std::span<const Case> all_cases() {
       {"table3", "Table 3 of the source paper", table3},
       {"grid_convergence", "Grid convergence of the metrics", grid_convergence},
       {"noise", "Scatter between equal runs", noise},
+      {"resolution", "Support of the kernel and particle spacing: error and cost", resolution},
       {"smoothness", "Smooth answers over the designs", smoothness},
   });
   return cases;

@@ -22,6 +22,7 @@ void ballistic(CaseRun& run);
 void table3(CaseRun& run);
 void grid_convergence(CaseRun& run);
 void noise(CaseRun& run);
+void resolution(CaseRun& run);
 void smoothness(CaseRun& run);
 
 }  // namespace parapet::validation

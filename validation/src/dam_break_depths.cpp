@@ -87,6 +87,13 @@ void add_depths(CaseRun& run, const std::vector<Group>& spacings, const Group& n
              .lower = -0.1,
              .upper = 0.1,
              .reason = "as above"});
+    run.add({.key = fmt::format("arrival_{}_no_slip", g + 1),
+             .what = fmt::format("arrival at H{} as the paper set the case up, {}", g + 1,
+                                 no_slip.name),
+             .value = arrival_difference(no_slip.whole(), m, g, 0.0),
+             .lower = -0.1,
+             .upper = 0.1,
+             .reason = "as above"});
   }
   run.add({.key = "front",
            .what = fmt::format("front, {}: RMS difference of x/H, measured clock", finest.name),

@@ -1,9 +1,13 @@
-// Grid convergence of the metrics that designs are judged by: three particle spacings, means over
+// Grid convergence of the metrics that designs are judged by: four particle spacings, means over
 // jittered lattices, Richardson extrapolation and the grid convergence index (Roache 1994; least
-// squares after Eca and Hoekstra 2014), which is what `parapet simulate --uncertainty` reports.
+// squares after Eca and Hoekstra 2014), as `parapet simulate --uncertainty` reports; and which
+// spacing a metric needs.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -25,8 +29,10 @@ constexpr std::array<SingleBarrier, 6> rows{{{"wd2", "H10-WD2, bare 100 mm", 0.1
 solver::Result refined(const SingleBarrier& barrier, double spacing, const CaseRun& run) {
   solver::Numerics numerics;
   numerics.spacing = spacing;
+  solver::UncertaintyPlan plan;
+  if (run.full()) plan.levels = {{1.0, 2}, {std::sqrt(2.0), 4}, {2.0, 6}, {std::sqrt(8.0), 8}};
   solver::Result result =
-      simulate_with_uncertainty(scene_of(barrier), numerics, {}, {}, [&](double) {
+      simulate_with_uncertainty(scene_of(barrier), numerics, {}, plan, [&](double) {
         run.check_cancelled();
         return true;
       });
@@ -70,15 +76,53 @@ void add_row(CaseRun& run, const SingleBarrier& barrier, const JudgedMetric& jud
            .unit = judged.unit});
 }
 
+// The spacing at which the fit is a share of its limit off; none where values scatter by more than
+// that share about the fit, or the limit is 0 [m].
+std::optional<double> needed_spacing(const solver::MetricUncertainty& u, double share) {
+  const solver::DiscretisationError fit =
+      solver::discretisation_error(u.level_spacing, u.level_mean);
+  const double allowed = share * std::abs(fit.extrapolated);
+  if (!(allowed > fit.deviation)) return std::nullopt;
+  if (fit.coefficient == 0.0) return u.level_spacing.back();
+  const double ratio = std::pow(allowed / std::abs(fit.coefficient), 1.0 / fit.order);
+  return std::min(u.level_spacing.front() * ratio, u.level_spacing.back());
+}
+
+// For every metric the median over the rows of the spacing that it needs.
+void add_needed_spacings(CaseRun& run, const std::vector<solver::Result>& results) {
+  for (const solver::Metric& metric : results.front().metrics) {
+    for (const int percent : {5, 2}) {
+      std::vector<double> needed;
+      std::size_t known = 0;
+      for (const solver::Result& result : results) {
+        const auto& u = result.find_metric(metric.key)->uncertainty;
+        if (!u) continue;
+        ++known;
+        if (const auto h = needed_spacing(*u, 0.01 * percent)) needed.push_back(*h);
+      }
+      if (known == 0) continue;
+      std::ranges::sort(needed);
+      // rows that scatter too much count as needing more than was tried
+      const std::size_t middle = known / 2, lost = known - needed.size();
+      run.add({.key = fmt::format("needs_{}_{}", percent, metric.key),
+               .what = fmt::format("{}: spacing for {} % of its limit, median of {} rows ({} "
+                                   "scatter by more)",
+                                   metric.key, percent, known, lost),
+               .value = middle < lost ? 0.0 : 1e3 * needed[middle - lost],
+               .unit = "mm"});
+    }
+  }
+}
+
 }  // namespace
 
 void grid_convergence(CaseRun& run) {
-  const double spacing = run.full() ? 0.005 : 0.0125;
+  const double spacing = run.full() ? 0.01 / std::sqrt(8.0) : 0.0125;
   const std::size_t n_rows = run.full() ? rows.size() : 1;
   std::vector<solver::Result> results(n_rows);
   run.side_by_side(
       n_rows, [&](std::size_t k) { results[k] = refined(rows[k], spacing, run); },
-      std::vector<double>(n_rows, run.full() ? 45.0 : 3.0));
+      std::vector<double>(n_rows, run.full() ? 80.0 : 3.0));
   for (const JudgedMetric& judged : judged_metrics) {
     reports::LinePlot plot;
     plot.title = fmt::format("{} against the particle spacing", judged.name);
@@ -100,6 +144,7 @@ void grid_convergence(CaseRun& run) {
     plot.height_px = 480;
     if (!plot.series.empty()) draw_line_plot(run.figure(std::string(judged.key) + ".png"), plot);
   }
+  add_needed_spacings(run, results);
 }
 
 }  // namespace parapet::validation

@@ -18,6 +18,8 @@ TEST(DiscretisationError, FindsTheOrderAndTheLimitOfAPowerLaw) {
     EXPECT_TRUE(error.order_observed);
     EXPECT_NEAR(error.order, order, 0.011);  // the scan's step is 0.01
     EXPECT_NEAR(error.extrapolated, 3.0, 0.02);
+    EXPECT_NEAR(error.coefficient, -0.4, 0.02);
+    EXPECT_NEAR(error.deviation, 0.0, 1e-3);
     EXPECT_NEAR(error.uncertainty, 1.25 * 0.4, 0.03);  // Roache's factor for an observed order
   }
 }

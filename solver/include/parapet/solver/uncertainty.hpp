@@ -15,6 +15,8 @@ namespace parapet::solver {
 struct DiscretisationError {
   double extrapolated = 0.0;    ///< phi_0 of phi = phi_0 + alpha h^p
   double order = 0.0;           ///< p, observed or assumed
+  double coefficient = 0.0;     ///< alpha h^p at the finest spacing
+  double deviation = 0.0;       ///< standard deviation of the values about the fit
   bool order_observed = false;  ///< the fit is monotone with 0.5 <= p <= 2.1
   double uncertainty = 0.0;  ///< half width about the finest value: F_s |phi_1 - phi_0| + standard
                              ///< deviation of the fit + |phi_1 - fit|; F_s = 1.25 where the order
