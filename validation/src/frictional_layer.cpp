@@ -24,7 +24,7 @@ using solver::Scheme;
 constexpr double depth = 0.04;    // [m]
 constexpr double gravity = 9.81;  // [m/s2]
 constexpr double sound_speed = 10.0;
-constexpr double time = 2.0;  // by which the flow is steady [s]; rho h^2/K is 1.8 s
+constexpr double end_time = 2.0;  // by which the flow is steady [s]; rho h^2/K is 1.8 s
 constexpr int across = 12;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double offsets[] = {-2.0, -1.0, -0.5, 0.5, 1.0, 2.0};  // from that slope [deg]
@@ -92,7 +92,7 @@ double mean_speed(const Tilted& tilted, const CaseRun& run) {
     p.density -= rho * setup.gravity.z * (depth - p.z) / (sound_speed * sound_speed);
   }
   Flow flow(std::move(setup));
-  advance(flow, time, run);
+  advance(flow, end_time, run);
   const solver::Totals sum = totals(flow);
   return sum.momentum.x / sum.mass;
 }
