@@ -9,7 +9,8 @@
 namespace parapet::solver {
 namespace {
 
-constexpr double lambda_surface = 0.90;  // Eq. 10: below it the free surface is in reach
+constexpr double lambda_surface =
+    0.90 / paper_lattice_sum;  // Eq. 10: below it the free surface is in reach
 
 Vec2 published_shift(Vec2 sum, double lambda, const ShiftingSettings& s) {
   if (is_spray(lambda) || s.factor == 0.0) return {};
@@ -62,7 +63,7 @@ void finish_published_gradients(Fluid& f, const GradientSums& s, const ShiftingS
     const auto k = at(begin + i);
     const Symmetric all{s.bxx[i], s.bxz[i], s.bzz[i]};
     const Symmetric fluid{s.fluid_bxx[i], s.fluid_bxz[i], s.fluid_bzz[i]};
-    f.lambda[k] = all.smallest_eigenvalue();
+    f.lambda[k] = all.smallest_eigenvalue() / paper_lattice_sum;  // 1 on a lattice, as everywhere
     f.closeness[k] = s.bxx[i] + s.bzz[i];
     f.tic[k] = f.pressure[k] < 0.0 && f.lambda[k] > lambda_surface ? -1.0 : 1.0;
     const Vec2 shift = published_shift({s.shift_x[i], s.shift_z[i]}, f.lambda[k], settings);
