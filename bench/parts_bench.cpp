@@ -60,7 +60,7 @@ void neighbor_check(benchmark::State& state, const Subject& s) {
 void finish_gradients(benchmark::State& state, Subject& s) {
   const solver::GradientSumArrays sums = s.flow.gradient_sums();
   solver::Fluid fluid = std::as_const(s.flow).fluid();
-  const solver::ShiftingSettings settings{s.flow.smoothing_length(), 2.0, 1.0, true};
+  const solver::ShiftingSettings settings{s.flow.smoothing_length(), 2.0, 1.0, true, 0.0};
   for ([[maybe_unused]] auto _ : state) {
     solver::finish_gradients(fluid, sums.view, settings, s.flow.setup().material, 0, fluid.n);
   }

@@ -78,6 +78,7 @@ solver::Scene read_scene(const Json& resolved) {
   scene.material.consistency = number(material, "consistency_pa_sn");
   scene.material.flow_index = number(material, "flow_index");
   scene.material.cutoff_shear_rate = number(material, "cutoff_shear_rate_per_s");
+  scene.material.friction_angle = radians(number(material, "friction_angle_deg"));
   double previous_foot = 0.0;
   for (const Json& barrier : resolved.at("barriers")) {
     scene.barriers.push_back(read_barrier(barrier, scene.slope, previous_foot));
@@ -110,6 +111,9 @@ solver::Numerics read_numerics(const Json& resolved, const solver::Scene& scene)
   numerics.integrator = json.at("integrator") == "rk4_explicit"
                             ? solver::Integrator::rk4_explicit
                             : solver::Integrator::implicit_viscosity;
+  numerics.scheme = json.at("scheme") == "as_published" ? solver::Scheme::as_published
+                                                        : solver::Scheme::corrected;
+  numerics.background_pressure = number(json, "background_pressure_pa");
   return numerics;
 }
 

@@ -15,7 +15,7 @@ struct KnownVariable {
   const char* target;
 };
 
-constexpr std::array<KnownVariable, 20> known_variables{
+constexpr std::array<KnownVariable, 21> known_variables{
     {{"deflector_angle_deg", "/barriers/0/deflector/angle_deg"},
      {"deflector_length_m", "/barriers/0/deflector/length_m"},
      {"upstream_height_m", "/barriers/0/height_m"},
@@ -35,7 +35,8 @@ constexpr std::array<KnownVariable, 20> known_variables{
      {"density_kg_m3", "/material/density_kg_m3"},
      {"yield_stress_pa", "/material/yield_stress_pa"},
      {"consistency_pa_sn", "/material/consistency_pa_sn"},
-     {"flow_index", "/material/flow_index"}}};
+     {"flow_index", "/material/flow_index"},
+     {"friction_angle_deg", "/material/friction_angle_deg"}}};
 
 constexpr std::array<const char*, 5> scene_sections{"channel", "reservoir", "material", "barriers",
                                                     "solids"};

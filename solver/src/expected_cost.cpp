@@ -49,7 +49,7 @@ double expected_step(const Scene& scene, const Numerics& numerics) {
   const double own_cfl = is_explicit ? 0.6 : 1.0;
   // as Flow follows the flow, at the speed of its fast times
   Numerics fast = numerics;
-  if (!is_explicit) {
+  if (!is_explicit && numerics.scheme == Scheme::corrected) {
     constexpr double fastest = 2.5;
     const double wanted = sound_over_flow * fastest * usual_speed(scene);
     fast.sound_speed =
@@ -59,7 +59,12 @@ double expected_step(const Scene& scene, const Numerics& numerics) {
   input.smoothing_length = numerics.smoothing_ratio * numerics.spacing;
   input.max_speed = usual_speed(scene);
   input.max_acceleration = scene.gravity;
-  input.max_viscosity = is_explicit ? apparent_viscosity(scene.material, 0.0) : 0.0;
+  if (is_explicit) {
+    const double weight = scene.material.density * scene.gravity * std::cos(scene.slope);
+    const double yield = yield_stress_under(scene.material, std::tan(scene.material.friction_angle),
+                                            weight * scene.reservoir_height);
+    input.max_viscosity = apparent_viscosity(scene.material, yield, 0.0, 1.0);
+  }
   input.density = scene.material.density;
   input.acoustic_cfl = numerics.cfl_acoustic > 0.0 ? numerics.cfl_acoustic : own_cfl;
   return stable_time_step(fast, input);

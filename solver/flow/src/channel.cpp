@@ -42,7 +42,9 @@ FlowSetup channel_setup(const Scene& scene, const Numerics& numerics, int thread
   setup.ceiling_z = scene.domain_height;
   setup.n_barriers = 2 * static_cast<int>(scene.barriers.size());
   setup.threads = threads;
-  setup.adapt_sound_speed = numerics.integrator == Integrator::implicit_viscosity;
+  // the paper's sound speed is constant
+  setup.adapt_sound_speed =
+      numerics.integrator == Integrator::implicit_viscosity && numerics.scheme == Scheme::corrected;
   add_channel(setup.solids, scene, 4.0 * numerics.smoothing_ratio * numerics.spacing);
   for (const SolidPolygon& solid : scene.solids) {
     add_outline(setup.solids, {solid.vertices.rbegin(), solid.vertices.rend()}, -1, false);

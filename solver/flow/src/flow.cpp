@@ -36,18 +36,18 @@ FlowSetup checked(FlowSetup setup) {
 
 Flow::Flow(FlowSetup setup)
     : setup_(checked(std::move(setup))),
-      passes_(setup_.passes ? *setup_.passes : best_passes()),
+      passes_(setup_.passes ? *setup_.passes : best_passes(setup_.numerics.scheme)),
       walls_(lay_out_walls(setup_.solids, setup_.numerics.spacing, 2.0 * smoothing_length())),
       rows_(setup_.solids, walls_, 2.0 * smoothing_length(),
-            setup_.numerics.skin_ratio * smoothing_length(), setup_.numerics.spacing,
-            setup_.periodic_length, &passes_),
+            setup_.numerics.skin_ratio * smoothing_length(),
+            as_published() ? 0.0 : setup_.numerics.spacing, setup_.periodic_length, &passes_),
       viscous_(std::make_unique<ViscousSolve>()),
       integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
                       ? make_rk4_explicit()
                       : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
       impulses_(at(setup_.n_barriers)) {
   kernel_ = make_kernel(smoothing_length(), setup_.numerics.spacing);
-  kernel_.f_scale /= lattice_moment(kernel_, setup_.numerics.spacing);
+  if (!as_published()) kernel_.f_scale /= lattice_moment(kernel_, setup_.numerics.spacing);
   now_.sound_speed =
       setup_.start_sound_speed > 0.0 ? setup_.start_sound_speed : setup_.numerics.sound_speed;
   fluid_.assign(setup_.particles);
@@ -171,7 +171,13 @@ std::optional<Failure> Flow::step(double longest) {
   double max_viscosity = 0.0;
   if (integrator_->explicit_viscosity() && !inviscid()) {
     // thinning debris is thickest at rest, thickening debris where it shears most
-    max_viscosity = apparent_viscosity(setup_.material, 0.0);
+    const Material& m = setup_.material;
+    double pressure = 0.0;
+    if (m.friction_angle > 0.0) {
+      for (const double p : fluid_.pressure) pressure = std::max(pressure, p);
+    }
+    const double yield = yield_stress_under(m, std::tan(m.friction_angle), pressure);
+    max_viscosity = apparent_viscosity(m, yield, 0.0, 1.0);
     for (const double eta : fluid_.pair_viscosity) max_viscosity = std::max(max_viscosity, eta);
   }
   const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "parallel.hpp"
+#include "parapet/flow/as_published.hpp"
 #include "parapet/flow/flow.hpp"
 #include "parapet/flow/index.hpp"
 #include "parapet/flow/rheology.hpp"
@@ -35,7 +36,12 @@ double Flow::smoothing_length() const {
 }
 
 bool Flow::inviscid() const {
-  return setup_.material.yield_stress == 0.0 && setup_.material.consistency == 0.0;
+  const Material& m = setup_.material;
+  return m.yield_stress == 0.0 && m.consistency == 0.0 && m.friction_angle == 0.0;
+}
+
+bool Flow::as_published() const {
+  return setup_.numerics.scheme == Scheme::as_published;
 }
 
 FlowArrays Flow::arrays() {
@@ -103,6 +109,11 @@ void Flow::update_pressure() {
   const StageScope scope(setup_.timer, Stage::equation_of_state);
   const double c2 = now_.sound_speed * now_.sound_speed;
   const double rho_0 = setup_.material.density;
+  if (as_published()) {
+    published_pressure(fluid_, c2, rho_0, setup_.numerics.background_pressure);
+    pack(&Fluid::pack_state);
+    return;
+  }
   const double most = setup_.numerics.sound_speed;
   const double thinnest_spray = 1.0 - spray_stretch * (most * most / c2);
   for (std::size_t i = 0; i < at(fluid_.n); ++i) {
@@ -131,12 +142,18 @@ void Flow::update_gradients(double interval) {
   const double stable = farthest_shift * setup_.numerics.spacing;
   const ShiftingSettings settings{
       smoothing_length(), interval * now_.max_speed > stable ? stable / interval : now_.max_speed,
-      setup_.numerics.shifting_factor, a.constants.no_slip, still_rate2(setup_.material)};
+      setup_.numerics.shifting_factor, a.constants.no_slip, setup_.numerics.background_pressure,
+      still_rate2(setup_.material)};
+  const auto finish = as_published() ? finish_published_gradients : finish_gradients;
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
     const GradientSumArrays sums(end - begin);
     passes_.gradient_sums(a, sums.view, begin, end);
-    finish_gradients(fluid_, sums.view, settings, setup_.material, begin, end);
+    finish(fluid_, sums.view, settings, setup_.material, begin, end);
   });
+  if (as_published()) {
+    for_blocks(fluid_.n, threads(),
+               [&](int begin, int end) { project_shift_at_surface(fluid_, a, begin, end); });
+  }
   // only now: meanwhile other particles were looking at the old viscosities
   pack(&Fluid::pack_state);
   pack(&Fluid::pack_shift);

@@ -6,11 +6,16 @@
 namespace parapet::solver {
 
 double apparent_viscosity(const Material& material, double shear_rate, double yield_fraction) {
-  const bool newtonian = material.yield_stress == 0.0 && material.flow_index == 1.0;
+  return apparent_viscosity(material, material.yield_stress, shear_rate, yield_fraction);
+}
+
+double apparent_viscosity(const Material& material, double yield_stress, double shear_rate,
+                          double yield_fraction) {
+  const bool newtonian = yield_stress == 0.0 && material.flow_index == 1.0;
   if (newtonian) return material.consistency;
   const double cutoff = material.cutoff_shear_rate, g = std::max(shear_rate, cutoff);
   const double plastic =
-      yield_fraction * material.yield_stress / std::max(shear_rate, yield_fraction * cutoff);
+      yield_fraction * yield_stress / std::max(shear_rate, yield_fraction * cutoff);
   return plastic + material.consistency * std::pow(g, material.flow_index - 1.0);
 }
 

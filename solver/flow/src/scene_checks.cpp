@@ -35,6 +35,8 @@ void check_material(Findings& f, const Material& m) {
   f.require(m.flow_index > 0.0, "flow index", m.flow_index, "", "more than 0");
   f.require(m.cutoff_shear_rate > 0.0, "cut-off shear rate", m.cutoff_shear_rate, "1/s",
             "more than 0");
+  f.require(m.friction_angle >= 0.0 && m.friction_angle <= 1.2, "friction angle", m.friction_angle,
+            "rad", "0 to 1.2");
 }
 
 void check_barrier(Findings& f, const Scene& scene, const Barrier& b, const std::string& name) {
@@ -135,6 +137,10 @@ std::vector<std::string> numerics_errors(const Numerics& n) {
             "1 or more");
   f.require(n.lattice_jitter >= 0.0 && n.lattice_jitter <= 0.4, "lattice jitter", n.lattice_jitter,
             "of dx", "0 to 0.4");
+  f.require(n.background_pressure >= 0.0, "background pressure", n.background_pressure, "Pa",
+            "0 or more");
+  f.require(n.background_pressure == 0.0 || n.scheme == Scheme::as_published, "background pressure",
+            n.background_pressure, "Pa", "0 in the corrected scheme; as_published has it");
   return f.take();
 }
 

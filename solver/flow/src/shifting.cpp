@@ -5,28 +5,13 @@
 
 #include "parapet/flow/rheology.hpp"
 #include "parapet/solver/vec2.hpp"
+#include "symmetric.hpp"
 
 namespace parapet::solver {
 namespace {
 
 constexpr double lambda_interior =
     0.90 / paper_lattice_sum;  // Eq. 10: above it no edge is in reach
-
-// Below this the tensor says too little about the neighbourhood to be inverted: a lone pair or a
-// thread of particles has an eigenvalue near zero.
-constexpr double lambda_invertible = 0.15;
-
-struct Symmetric {
-  double xx, xz, zz;
-  double smallest_eigenvalue() const {
-    const double mean = 0.5 * (xx + zz), half = 0.5 * (xx - zz);
-    return mean - std::sqrt(half * half + xz * xz);
-  }
-  Vec2 solve(Vec2 v) const {
-    const double inverse = 1.0 / (xx * zz - xz * xz);
-    return {inverse * (zz * v.x - xz * v.z), inverse * (xx * v.z - xz * v.x)};
-  }
-};
 
 // Only where the fluid alone fills the support. At a free surface, where Eq. 10 keeps the
 // tangential part, the sum is the hole of the missing neighbours, along the normal and at the cap
@@ -44,6 +29,7 @@ Vec2 shifting_velocity(Vec2 sum, double fluid_lambda, const ShiftingSettings& s)
 
 void finish_gradients(Fluid& f, const GradientSums& s, const ShiftingSettings& settings,
                       const Material& material, int begin, int end) {
+  const double tan_phi = std::tan(material.friction_angle);
   for (int i = 0; i < end - begin; ++i) {
     const auto k = static_cast<std::size_t>(begin + i);
     const Symmetric all{s.bxx[i], s.bxz[i], s.bzz[i]};
@@ -76,8 +62,9 @@ void finish_gradients(Fluid& f, const GradientSums& s, const ShiftingSettings& s
     // modulus of the part without divergence, which is all that pairs resist with
     const double modulus = 2.0 * std::sqrt(a * a + b * b);
     const double walls = settings.no_slip ? f.closeness[k] - (fluid.xx + fluid.zz) : 0.0;
-    f.viscosity[k] = apparent_viscosity(material, f.shear_rate[k],
-                                        yield_fraction(f.shear_rate[k], modulus, walls));
+    f.viscosity[k] =
+        apparent_viscosity(material, yield_stress_under(material, tan_phi, f.pressure[k]),
+                           f.shear_rate[k], yield_fraction(f.shear_rate[k], modulus, walls));
     f.pair_viscosity[k] = f.quadrature[k] * f.viscosity[k];
   }
 }

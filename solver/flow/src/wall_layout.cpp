@@ -36,7 +36,7 @@ WallPoints::WallPoints(std::span<const WallPoint> points, std::vector<int> owner
     PARAPET_WALL_RECORDS(PARAPET_PACK)
 #undef PARAPET_PACK
   }
-  pressure.assign(points.size() + 1, 0.0);
+  for (auto* a : {&pressure, &mirrored_u, &mirrored_w}) a->assign(points.size() + 1, 0.0);
 }
 
 WallView WallPoints::view() {
@@ -49,6 +49,8 @@ WallView WallPoints::view() {
   PARAPET_WALL_RECORDS(PARAPET_POINT)
 #undef PARAPET_POINT
   view.pressure = pressure.data();
+  view.mirrored_u = mirrored_u.data();
+  view.mirrored_w = mirrored_w.data();
   return view;
 }
 

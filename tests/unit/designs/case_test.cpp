@@ -35,6 +35,7 @@ TEST(CaseDefaults, AreTheSceneDefaults) {
   EXPECT_EQ(scene.material.consistency, expected.material.consistency);
   EXPECT_EQ(scene.material.flow_index, expected.material.flow_index);
   EXPECT_EQ(scene.material.cutoff_shear_rate, expected.material.cutoff_shear_rate);
+  EXPECT_EQ(scene.material.friction_angle, expected.material.friction_angle);
   EXPECT_EQ(scene.barriers.size(), expected.barriers.size());
   EXPECT_EQ(scene.solids.size(), expected.solids.size());
 }
@@ -56,6 +57,8 @@ TEST(CaseDefaults, AreTheBarrierDefaults) {
 TEST(CaseDefaults, AreTheNumericsDefaults) {
   const solver::Numerics numerics = case_with("{}").numerics, expected;
   EXPECT_EQ(numerics.spacing, expected.spacing);
+  EXPECT_EQ(numerics.scheme, expected.scheme);
+  EXPECT_EQ(numerics.background_pressure, expected.background_pressure);
   EXPECT_EQ(numerics.smoothing_ratio, expected.smoothing_ratio);
   EXPECT_EQ(numerics.sound_speed, solver::usual_sound_speed(solver::Scene{}));
   EXPECT_NEAR(numerics.sound_speed, expected.sound_speed, 0.01);
@@ -116,13 +119,14 @@ TEST(CaseSpec, ValuesReachTheirFields) {
                 "gravity_m_s2": 9.8, "wall": "free_slip"},
     "reservoir": {"length_m": 0.4, "height_m": 0.25},
     "material": {"density_kg_m3": 1500, "yield_stress_pa": 10, "consistency_pa_sn": 2,
-                 "flow_index": 0.9, "cutoff_shear_rate_per_s": 0.2},
+                 "flow_index": 0.9, "cutoff_shear_rate_per_s": 0.2, "friction_angle_deg": 12},
     "numerics": {"spacing_m": 0.02, "smoothing_ratio": 1.5, "sound_speed_m_s": 50, "sound_speed_floor": 0.75,
                  "density_diffusion": 0.2, "shifting_factor": 0.5, "skin_ratio": 0.3,
                  "cfl_acoustic": 0.4, "cfl_force": 0.2, "cfl_viscous": 0.1,
                  "cg_tolerance_m_s2": 0.001, "steps_per_solve": 2, "cg_max_iterations": 7.0,
                  "hydrostatic_start": false, "lattice_jitter": 0.1, "lattice_seed": 9,
-                 "integrator": "rk4_explicit"},
+                 "integrator": "rk4_explicit", "scheme": "as_published",
+                 "background_pressure_pa": 200},
     "run": {"stop_time_s": 3, "series_interval_s": 0.01, "frame_interval_s": 0.05,
             "until_rest": true, "reading_time_s": 2.5,
             "settled": {"enabled": false, "window_s": 0.3, "retention_change": 0.01,
@@ -159,6 +163,9 @@ TEST(CaseSpec, ValuesReachTheirFields) {
   EXPECT_EQ(spec.numerics.lattice_jitter, 0.1);
   EXPECT_EQ(spec.numerics.lattice_seed, 9U);
   EXPECT_EQ(spec.numerics.integrator, solver::Integrator::rk4_explicit);
+  EXPECT_EQ(spec.numerics.scheme, solver::Scheme::as_published);
+  EXPECT_EQ(spec.numerics.background_pressure, 200.0);
+  EXPECT_DOUBLE_EQ(spec.scene.material.friction_angle, radians(12));
   EXPECT_EQ(spec.run.stop_time, 3.0);
   EXPECT_EQ(spec.run.series_interval, 0.01);
   EXPECT_EQ(spec.run.frame_interval, 0.05);

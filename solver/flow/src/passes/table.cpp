@@ -1,4 +1,5 @@
-// The table of this instruction set; compiled once for each.
+// The tables of this instruction set, one for each scheme; compiled once for each.
+#include "as_published/passes.hpp"
 #include "parapet/flow/pass_table.hpp"
 #include "passes.hpp"
 
@@ -21,5 +22,20 @@ const PassTable table = {PARAPET_STRING(PARAPET_ISA),
                          descend,
                          turn,
                          wall_load};
+
+extern const PassTable as_published_table;
+const PassTable as_published_table = {PARAPET_STRING(PARAPET_ISA),
+                                      pick_near,
+                                      reached_rows,
+                                      as_published::extrapolate_walls,
+                                      as_published::gradient_sums,
+                                      as_published::pressure_force,
+                                      as_published::viscous_force,
+                                      as_published::density_rate,
+                                      as_published::viscous_matrix,
+                                      viscous_product,
+                                      descend,
+                                      turn,
+                                      as_published::wall_load};
 
 }  // namespace parapet::solver::PARAPET_ISA

@@ -1,20 +1,10 @@
 // Generalised wall boundary (Adami, Hu and Adams 2012): wall points take the pressure of the fluid
 // that they see, with the weight of the column between (their Eq. 27). What shears the fluid is the
 // linear extension of pair_geometry.hpp.
-#include "pair_geometry.hpp"
 #include "passes.hpp"
+#include "wall_group.hpp"
 
 namespace parapet::solver::PARAPET_ISA {
-
-// Eight wall points and the slots of their fluid neighbours.
-struct WallGroup : Group {
-  const std::int32_t *points, *fluid, *fluid_end;
-  WallGroup(const RowView& rows, int begin, int end) : Group(begin, end) {
-    points = rows.active_wall + begin;
-    fluid = rows.wall_point_index + rows.wall_point_begin[begin / lanes];
-    fluid_end = rows.wall_point_index + rows.wall_point_begin[begin / lanes + 1];
-  }
-};
 
 template <bool periodic>
 static void extrapolate(const FlowArrays& a, int begin, int end) {

@@ -12,6 +12,12 @@ enum class Integrator {
   rk4_explicit         ///< the paper's fourth-order Runge-Kutta, everything explicit
 };
 
+/// The two spatial schemes.
+enum class Scheme {
+  corrected,    ///< with what Parapet adds to the paper's method (docs/theory.md)
+  as_published  ///< Eq. 2-11 of the paper as they are, misprints mended
+};
+
 /// Sound speed over flow speed: the density then stays within about a per cent.
 constexpr double sound_over_flow = 10.0;
 
@@ -37,6 +43,8 @@ struct Numerics {
   double lattice_jitter = 0.0;     ///< random offset of the initial lattice, as a share of dx
   unsigned lattice_seed = 1;       ///< seed of that offset
   Integrator integrator = Integrator::implicit_viscosity;
+  Scheme scheme = Scheme::corrected;
+  double background_pressure = 0.0;  ///< P_0 of Eq. 2 [Pa]; as_published only
   friend bool operator==(const Numerics&, const Numerics&) = default;
 };
 

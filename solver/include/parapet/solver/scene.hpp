@@ -12,10 +12,11 @@ namespace parapet::solver {
 /// Herschel-Bulkley debris, Eq. 12-15 of Huang et al. 2024; the defaults are Table 1.
 struct Material {
   double density = 1135.0;         ///< rho_0 [kg/m3]
-  double yield_stress = 90.0;      ///< tau_y [Pa]
+  double yield_stress = 90.0;      ///< tau_y [Pa]; with a friction angle the cohesion c
   double consistency = 4.526;      ///< K [Pa s^N]
   double flow_index = 0.795;       ///< N [-]
   double cutoff_shear_rate = 0.1;  ///< below it the viscosity stays constant [1/s]
+  double friction_angle = 0.0;     ///< phi of tau_y = c + p tan phi, p >= 0 [rad]
   friend bool operator==(const Material&, const Material&) = default;
 };
 

@@ -59,7 +59,7 @@ struct FlowSetup {
   double periodic_length = 0.0;       ///< along x, from 0 [m]; 0: not periodic
   double outlet_x = 1e9;              ///< material beyond it has left [m]
   double ceiling_z = 1e9;             ///< material above it has left [m]
-  const PassTable* passes = nullptr;  ///< the instruction set; nullptr: the fastest
+  const PassTable* passes = nullptr;  ///< of numerics.scheme; nullptr: the fastest
   int threads = 1;                    ///< the answer does not depend on it
   StageTimer* timer = nullptr;        ///< is told what the time goes into; may be nullptr
 };
@@ -121,6 +121,7 @@ class Flow {
   const FlowSetup& setup() const { return setup_; }       ///< without the particles
   double smoothing_length() const;                        ///< h [m]
   bool inviscid() const;                                  ///< neither yield stress nor consistency
+  bool as_published() const;                              ///< the scheme
   int threads() const { return setup_.threads; }          ///< of the setup
 
   /// All that have left, in the order in which they left.
@@ -148,9 +149,9 @@ class Flow {
   /// Picks from the rows the pairs that the kernel reaches; whenever particles have moved.
   void find_reached_pairs();
   /// Equation of state (Eq. 2) and volumes. Spray is under no tension, and a particle that is alone
-  /// has the reference density.
+  /// has the reference density; as_published has neither rule.
   void update_pressure();
-  /// The fluid's pressure at the wall points (Adami et al. 2012).
+  /// The fluid's pressure at the wall points (Adami et al. 2012); as_published: and velocity.
   void extrapolate_walls();
   /// Renormalised gradients, shifting velocity and rheology (Eq. 8-11, 13-15).
   /// @param interval the shifting velocity will be kept that long [s]
@@ -185,7 +186,7 @@ class Flow {
 
   FlowSetup setup_;
   const PassTable& passes_;
-  Kernel kernel_;  // its gradient is exact on a square lattice
+  Kernel kernel_;  // its gradient is exact on a square lattice, but for as_published
   WallPoints walls_;
   std::vector<double> load_x_, load_z_;  // [n_active]
   int first_barrier_point_ = 0;

@@ -66,6 +66,8 @@ struct WallView {
 #undef PARAPET_VIEW_FIELD
 #undef PARAPET_VIEW_RECORD
   double* pressure;  ///< extrapolated from the fluid [Pa]; the ghost's is zero
+  /// Scheme as_published: velocity that shears the fluid, mirrored at the wall [m/s].
+  double *mirrored_u, *mirrored_w;
 };
 
 /// Sums of the gradient pass over a range of particles, [end - begin] each.

@@ -1,6 +1,6 @@
 /// The passes: the neighbour sums, each over a range [begin, end) of particles or of wall points
-/// that begins with a whole group; one table per instruction set. Flow calls them; call them
-/// yourself to measure or to check them.
+/// that begins with a whole group; one table per instruction set and scheme. Flow calls them; call
+/// them yourself to measure or to check them.
 ///
 ///     FlowArrays arrays = flow.arrays();
 ///     const PassTable& passes = best_passes();
@@ -13,7 +13,10 @@
 
 namespace parapet::solver {
 
-/// The passes of one instruction set.
+enum class Scheme;  // parapet/solver/numerics.hpp
+
+/// The passes of one instruction set. What differs in the scheme as_published is said in its
+/// sources, passes/as_published/.
 struct PassTable {
   const char* name;  ///< of the instruction set
   /// Writes the numbers of those candidates that are nearer than the distance, in their order, and
@@ -47,10 +50,12 @@ struct PassTable {
   void (*wall_load)(const FlowArrays&, double* fx, double* fz, int begin, int end);
 };
 
-/// The fastest table that this machine can run. Every table gives the same bits.
-const PassTable& best_passes();
+/// The fastest table that this machine can run. Every table of a scheme gives the same bits.
+const PassTable& best_passes(Scheme scheme);
+const PassTable& best_passes();  ///< of Scheme::corrected
 
 /// By name ("x86_64", "x86_64_v3", "x86_64_v4"); nullptr when this machine or build lacks it.
-const PassTable* find_passes(std::string_view name);
+const PassTable* find_passes(std::string_view name, Scheme scheme);
+const PassTable* find_passes(std::string_view name);  ///< of Scheme::corrected
 
 }  // namespace parapet::solver

@@ -1,15 +1,26 @@
 /// Herschel-Bulkley viscosity with the cut-off (Eq. 12-15).
 #pragma once
 
+#include <algorithm>
+
 #include "parapet/solver/scene.hpp"
 
 namespace parapet::solver {
+
+/// Yield stress of a material under pressure, tau_y = c + p tan phi with p not below 0 (below Eq.
+/// 12 of the paper) [Pa].
+inline double yield_stress_under(const Material& material, double tan_phi, double pressure) {
+  return material.yield_stress + tan_phi * std::max(pressure, 0.0);
+}
 
 /// eta = min(tau_y/g_c, s tau_y/g) + K max(g, g_c)^(N-1) with the cut-off g_c [Pa s]; K alone for a
 /// Newtonian fluid. With s = 1 that is tau_y/g + K g^(N-1) at g = max(shear rate, cut-off).
 /// @param shear_rate g [1/s]
 /// @param yield_fraction s, see below
 double apparent_viscosity(const Material& material, double shear_rate, double yield_fraction = 1.0);
+/// The same with a yield stress of its own [Pa].
+double apparent_viscosity(const Material& material, double yield_stress, double shear_rate,
+                          double yield_fraction);
 
 /// Fraction s of tau_y/q that the yield part of a particle's viscosity takes, in [0.5, 1], so that
 /// a jump in velocity is dissipated once.

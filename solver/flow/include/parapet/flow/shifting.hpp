@@ -25,11 +25,12 @@ constexpr bool is_alone(double closeness) {
 
 /// Constants of the shifting.
 struct ShiftingSettings {
-  double smoothing_length;  ///< h [m]
-  double max_speed;         ///< u_max of Eq. 9 [m/s]
-  double factor;            ///< 1 is the paper's
-  bool no_slip;             ///< walls shear the fluid
-  double still2 = 1e-12;    ///< of still_rate2 [1/s2]
+  double smoothing_length;     ///< h [m]
+  double max_speed;            ///< u_max of Eq. 9 [m/s]
+  double factor;               ///< 1 is the paper's
+  bool no_slip;                ///< walls shear the fluid
+  double background_pressure;  ///< P_0, of which no friction comes [Pa]
+  double still2 = 1e-12;       ///< of still_rate2 [1/s2]
 };
 
 /// Fills lambda, closeness, tic, shift_u/w, density_grad, quadrature, shear_rate, viscosity and

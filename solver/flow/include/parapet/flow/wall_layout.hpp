@@ -32,8 +32,9 @@ struct WallPoints {
   } records;
 #undef PARAPET_ARRAY
 #undef PARAPET_RECORDS
-  std::vector<double> pressure;  ///< of the fluid that a point sees [Pa]
-  std::vector<int> owner;        ///< [n] the face that a point belongs to
+  std::vector<double> pressure;                ///< of the fluid that a point sees [Pa]
+  std::vector<double> mirrored_u, mirrored_w;  ///< see WallView [m/s]
+  std::vector<int> owner;                      ///< [n] the face that a point belongs to
 
   WallPoints() : WallPoints(std::span<const WallPoint>{}, {}) {}
   /// Points and the face of each; both of the same length.
