@@ -14,6 +14,7 @@ std::span<const Case> all_cases() {
        frictional_layer},
       {"tanks", "Fluid at rest in tanks", tanks},
       {"conservation", "Conservation and frames of reference", conservation},
+      {"energy_gain", "Energy that thin fluid gains at a barrier", energy_gain},
       {"taylor_green", "Taylor-Green vortices", taylor_green},
       {"oscillating_drop", "Oscillating drop", oscillating_drop},
       {"rotating_patch", "Rotating patch", rotating_patch},

@@ -12,6 +12,7 @@ void uniform_flow(CaseRun& run);
 void frictional_layer(CaseRun& run);
 void tanks(CaseRun& run);
 void conservation(CaseRun& run);
+void energy_gain(CaseRun& run);
 void taylor_green(CaseRun& run);
 void oscillating_drop(CaseRun& run);
 void rotating_patch(CaseRun& run);

@@ -27,9 +27,12 @@ struct Compared {
 };
 constexpr Compared compared[] = {
     {"retention_efficiency", "retention", "", 1.0},
+    {"launch_tip_x_m", "tip at the reading time", "m", 1.0},
     {"impact_x_m", "impact x", "m", 1.0},
     {"impact_time_s", "impact time", "s", 1.0},
     {"launch_angle_deg", "launch angle", "deg", 1.0},
+    {"ramp_angle_deg", "ramp angle", "deg", 1.0},
+    {"dead_zone_ratio", "dead zone over depth", "", 1.0},
     {"flow_depth_max_m", "largest flow depth", "mm", 1e3},
     {"front_velocity_m_s", "front velocity", "m/s", 1.0},
 };
