@@ -48,6 +48,7 @@ parapet_package(fmt)
 parapet_package(spdlog)
 parapet_package(CLI11)
 parapet_package(cairo PKG_CONFIG)
+parapet_package(cpp-httplib PKG_CONFIG)
 
 parapet_component(math PACKAGES Eigen3)
 parapet_component(flow FOLDER solver/flow PACKAGES OpenMP)
@@ -63,7 +64,7 @@ parapet_component(reports NEEDS math designs records study PACKAGES nlohmann_jso
 parapet_component(validation PROGRAMS NEEDS flow solver designs reports
                   PACKAGES nlohmann_json fmt Eigen3)
 parapet_component(cli PROGRAMS NEEDS solver designs optimizer study reports validation
-                  PACKAGES CLI11 spdlog fmt)
+                  PACKAGES CLI11 spdlog fmt cpp-httplib)
 
 # What is wanted, and what that stands on: parapet_chosen_components, in the order of the table.
 set(PARAPET_COMPONENTS all CACHE STRING "what is configured, built and installed: all, or a list")

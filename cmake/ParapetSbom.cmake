@@ -25,6 +25,8 @@ set(parapet_licence_spdlog "MIT")
 set(parapet_origin_spdlog "https://github.com/gabime/spdlog")
 set(parapet_licence_CLI11 "BSD-3-Clause")
 set(parapet_origin_CLI11 "https://github.com/CLIUtils/CLI11")
+set(parapet_licence_cpp-httplib "MIT")
+set(parapet_origin_cpp-httplib "https://github.com/yhirose/cpp-httplib")
 set(parapet_licence_cairo "LGPL-2.1-only OR MPL-1.1")
 set(parapet_origin_cairo "https://www.cairographics.org/")
 

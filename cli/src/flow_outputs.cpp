@@ -46,7 +46,7 @@ FlowOutputs::FlowOutputs(const FlowWishes& wishes, const designs::CaseSpec& spec
   if (wishes.frames || wishes.frame_interval_s || in_spec > 0.0) {
     const double usual = in_spec > 0.0 ? in_spec : default_frame_interval;
     frame_clock_.times = regular_times(wishes.frame_interval_s.value_or(usual), stop_time);
-    writer_.emplace(folder / "frames", spec.name);
+    writer_.emplace(folder / "frames", spec.name, spec.scene, spec.run.gauges);
   }
   if (picture_) {
     picture_clock_.times = wishes.picture_times_s;

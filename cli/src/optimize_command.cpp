@@ -6,6 +6,8 @@
 #include "duration_text.hpp"
 #include "flow_records.hpp"
 #include "interrupt.hpp"
+#include "page_server.hpp"
+#include "parapet/records/output_folder.hpp"
 #include "parapet/study/design_run.hpp"
 #include "parapet/study/study_run.hpp"
 #include "report_files.hpp"
@@ -19,6 +21,7 @@ namespace {
 
 struct OptimizeOptions : CommonOptions {
   std::string spec;
+  bool serve = false;
 };
 
 /// "front of 5 designs, hypervolume 0.31".
@@ -80,6 +83,7 @@ class Progress {
       best_ = record.objective_scalar;
       monitor_.best("best " + objectives_text(record) + " (" + record.id + ")");
     }
+    if (!from_log && new_count_++ == 0) records::remove_earlier_advice(folder_);
     if (!from_log) {
       session_.log->info("{}: {}: {}", heading(record), design_text(record), outcome_text(record));
     }
@@ -91,7 +95,7 @@ class Progress {
   std::string folder_;
   RunMonitor monitor_;
   std::optional<double> best_;
-  int from_log_count_ = 0;
+  int from_log_count_ = 0, new_count_ = 0;
 };
 
 study::StudySummary run_with_progress(const Session& session, const OptimizeOptions& options,
@@ -158,6 +162,11 @@ bool record_front(const Session& session, const OptimizeOptions& options,
 int optimize_command(const Session& session, const OptimizeOptions& options) {
   const designs::StudySpec study = read_study(options.spec, options.spacing_mm);
   const std::filesystem::path folder = output_folder(options, study.name, "optimize");
+  std::optional<PageServer> server;
+  if (options.serve) {
+    server.emplace(folder, session.program, 0);
+    session.log->info("live page: {}", server->address());
+  }
   const study::StudySummary summary = run_with_progress(session, options, study, folder);
   if (summary.state == study::StudyState::interrupted) {
     session.log->error("interrupted with {} designs evaluated in {}; the same command resumes",
@@ -187,6 +196,8 @@ void add_optimize(CLI::App& app, Session& session) {
   add_spacing(*verb, *options);
   add_jobs(*verb, *options, "Simulations side by side");
   add_mix_revisions(*verb, *options);
+  verb->add_flag("--serve", options->serve,
+                 "Show the page live on this machine while the study runs, and print its address");
   verb->footer(
       R"(Writes study.json, evaluations.jsonl (one line per design), evaluations/ID.json, summary.json,
 pareto.json and, with the algorithm BAYESIAN, surrogates.json into DIR. The same command resumes a

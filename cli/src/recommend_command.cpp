@@ -235,9 +235,10 @@ int recommend_command(const Session& session, const RecommendOptions& options) {
   }
   if (files) {
     write_files(session, recommendation, text, *files);
-    records::write_file_atomically(
-        *files / records::report_page,
-        reports::study_page(study, recommendation, {.program = session.program, .rule = rule}));
+    const reports::FolderReport report =
+        reports::study_report(study, recommendation, {.program = session.program, .rule = rule});
+    records::write_file_atomically(*files / records::report_page, report.page);
+    records::write_file_atomically(*files / records::designs_table, report.designs_csv);
     session.log->info("page: open {} in a browser", (*files / records::report_page).string());
   }
   checksums.write();

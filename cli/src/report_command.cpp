@@ -14,7 +14,7 @@ namespace parapet::cli {
 namespace {
 
 struct ReportOptions : CommonOptions {
-  std::filesystem::path folder;
+  std::vector<std::filesystem::path> folders;
   std::vector<std::string> record, show;
 };
 
@@ -48,25 +48,44 @@ std::vector<study::FlowToRecord> flows_asked_for(const study::LoadedStudy& study
   return flows;
 }
 
+/// One page of several studies; it belongs to none of their folders.
+int report_studies(const Session& session, const ReportOptions& options) {
+  for (const std::filesystem::path& folder : options.folders) records::refuse_links(folder);
+  if (!options.record.empty() || !options.show.empty()) {
+    throw designs::InputError({{.file = options.record.empty() ? "--show" : "--record",
+                                .pointer = "",
+                                .value = "",
+                                .problem = "goes with one folder alone",
+                                .allowed = "parapet report DIR for each study first"}});
+  }
+  const std::filesystem::path file = options.out.empty() ? "studies.html" : options.out;
+  records::write_file_atomically(
+      file, reports::studies_page(options.folders, {.program = session.program}));
+  session.out->print("page: {}\n", file.string());
+  return exit_done;
+}
+
 int report_command(const Session& session, const ReportOptions& options) {
-  records::refuse_links(options.folder);
+  if (options.folders.size() > 1) return report_studies(session, options);
+  const std::filesystem::path& folder = options.folders.front();
+  records::refuse_links(folder);
   if (!options.record.empty()) {
-    const study::LoadedStudy study = study::load_study_folder(options.folder);
-    if (!record_and_say(session, options.folder, flows_asked_for(study, options.record),
-                        options.jobs, false)) {
+    const study::LoadedStudy study = study::load_study_folder(folder);
+    if (!record_and_say(session, folder, flows_asked_for(study, options.record), options.jobs,
+                        false)) {
       return exit_interrupted;
     }
   }
   reports::PageOptions page{.program = session.program, .first = options.show};
   page.first.insert(page.first.end(), options.record.begin(), options.record.end());
-  const std::string html = reports::folder_page(options.folder, page);
+  const reports::FolderReport report = reports::folder_report(folder, page);
   if (options.out.empty()) {
-    reports::write_page(options.folder, html);
+    reports::write_report(folder, report);
   } else {
-    records::write_file_atomically(options.out, html);
+    records::write_file_atomically(options.out, report.page);
   }
-  const std::filesystem::path file = options.out.empty() ? options.folder / records::report_page
-                                                         : std::filesystem::path(options.out);
+  const std::filesystem::path file =
+      options.out.empty() ? folder / records::report_page : std::filesystem::path(options.out);
   session.out->print("page: {}\n", file.string());
   return exit_done;
 }
@@ -77,10 +96,13 @@ void add_report(CLI::App& app, Session& session) {
   CLI::App* verb =
       app.add_subcommand("report", "Write the page of results: one file for any browser, offline");
   auto options = std::make_shared<ReportOptions>();
-  verb->add_option("DIR", options->folder,
-                   "Folder that simulate, table3, optimize or validate has written")
+  verb->add_option("DIR", options->folders,
+                   "Folder that simulate, table3, optimize or validate has written; several "
+                   "studies come into one front")
       ->required();
-  verb->add_option("--out", options->out, "The file (default: DIR/report.html)")->type_name("FILE");
+  verb->add_option("--out", options->out,
+                   "The file (default: DIR/report.html; of several studies studies.html)")
+      ->type_name("FILE");
   verb->add_option(
           "--record", options->record,
           "Of a study: first simulate these designs once more and record their flows; ids, "
@@ -101,6 +123,7 @@ table3, optimize and recommend write it at their end.
 Examples:
   parapet report runs/quickstart-optimize
   parapet report runs/quickstart-optimize --record front
+  parapet report runs/low runs/high --out compare.html
   parapet report docs/validation --out validation.html)");
   verb->callback([options, &session] {
     session.command = [options, &session] { return report_command(session, *options); };

@@ -10,7 +10,7 @@ void write_report(const Session& session, const std::filesystem::path& folder,
                   reports::PageOptions options) {
   options.program = session.program;
   try {
-    reports::write_page(folder, reports::folder_page(folder, options));
+    reports::write_report(folder, reports::folder_report(folder, options));
     session.log->info("page: open {} in a browser", (folder / records::report_page).string());
   } catch (const designs::InputError& error) {
     session.log->warn("no page: {}", error.what());

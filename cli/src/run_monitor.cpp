@@ -1,6 +1,7 @@
 #include "run_monitor.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,11 +16,28 @@ namespace {
 constexpr std::chrono::milliseconds terminal_interval{200};
 constexpr std::chrono::seconds plain_interval{15};
 
+/// Of standard error; 80 where the terminal does not say.
+std::size_t terminal_columns() {
+  winsize size{};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
 double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
 }  // namespace
+
+std::string cut_to_width(const std::string& text, std::size_t columns) {
+  std::size_t shown = 0, kept = 0;  // characters, and bytes of those that leave room for the mark
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const bool continues = (static_cast<unsigned char>(text[k]) & 0xC0U) == 0x80U;
+    if (!continues && ++shown + 1 == columns) kept = k;
+  }
+  // The last column stays free: some terminals go to the next line when it is written.
+  return shown < columns ? text : text.substr(0, kept) + "…";
+}
 
 RunMonitor::RunMonitor(const Session& session, int total, std::string noun)
     : session_(session),
@@ -65,7 +83,7 @@ void RunMonitor::show() {
   const auto now = Clock::now();
   if (terminal_) {
     if (now - shown_ < terminal_interval) return;
-    const std::string text = designs::visible_text(line());
+    const std::string text = cut_to_width(designs::visible_text(line()), terminal_columns());
     std::fprintf(stderr, "\r\033[K%s", text.c_str());
     std::fflush(stderr);
     line_open_ = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -11,6 +12,9 @@
 #include "session.hpp"
 
 namespace parapet::cli {
+
+/// A line of text (UTF-8) that fits a terminal of so many columns; what is cut off ends with "…".
+std::string cut_to_width(const std::string& text, std::size_t columns);
 
 /// Shows how far a number of simulations is: on a terminal as one line that is written again, else
 /// as a plain line now and then. Safe to call from several threads.

@@ -34,6 +34,7 @@ void add_optimize(CLI::App& app, Session& session);
 void add_evaluate(CLI::App& app, Session& session);
 void add_recommend(CLI::App& app, Session& session);
 void add_report(CLI::App& app, Session& session);
+void add_serve(CLI::App& app, Session& session);
 void add_validate(CLI::App& app, Session& session);       ///< of `parapet-validate`
 void add_validate_call(CLI::App& app, Session& session);  ///< executes `parapet-validate`
 void add_check(CLI::App& app, Session& session);

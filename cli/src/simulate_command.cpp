@@ -13,6 +13,7 @@
 #include "parapet/records/hashes.hpp"
 #include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
+#include "parapet/reports/run_summary.hpp"
 #include "parapet/solver/uncertainty.hpp"
 #include "parapet/study/thread_count.hpp"
 #include "profile_text.hpp"
@@ -31,6 +32,7 @@ struct SimulateOptions : CommonOptions {
   std::optional<int> threads;
   bool uncertainty = false;
   bool profile = false;
+  bool all = false;
 };
 
 /// A file that cannot be written is not the program's fault: the same exit code as everywhere.
@@ -118,11 +120,15 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   writing([&] { outputs->finish(session); });
   write_report(session, folder);
   records::ChecksumList(folder).write();
-  session.out->print("{}: {}, {} at {:.3f} s of flow, {} steps in {}\n{}{}results: {}\n", spec.name,
-                     solver::to_string(result.status), solver::to_string(result.stop_reason),
-                     result.stop_time, result.statistics.steps,
-                     duration_text(result.statistics.wall_time), metrics_text(result.metrics),
-                     warnings_text(result.warnings), folder.string());
+  session.out->print("{}: {} steps in {}\n{}", spec.name, result.statistics.steps,
+                     duration_text(result.statistics.wall_time), reports::run_summary(result));
+  if (options.all) {
+    session.out->print("all metrics\n{}", metrics_text(result.metrics));
+  } else {
+    session.out->print("  {:<18}{} metrics: --all, or result.json\n", "more",
+                       result.metrics.size());
+  }
+  session.out->print("results: {}\n", folder.string());
   if (result.profile) session.out->print("{}", profile_text(*result.profile, result.statistics));
   if (result.status == solver::Status::ok) return exit_done;
   session.log->error("the run failed: {}", result.reason);
@@ -148,6 +154,7 @@ void add_simulate(CLI::App& app, Session& session) {
       ->check(CLI::Range(1, 1024))
       ->excludes(uncertainty)
       ->type_name("N");
+  verb->add_flag("--all", options->all, "Print every metric, not the summary alone");
   verb->add_flag("--profile", options->profile,
                  "Print which part of the solver took how long (also in result.json, timing)");
   verb->add_flag("--frames", options->flow.frames,
@@ -170,7 +177,9 @@ void add_simulate(CLI::App& app, Session& session) {
       ->delimiter(',')
       ->check(CLI::NonNegativeNumber)
       ->type_name("T,T");
-  verb->footer(R"(Writes result.json (metrics, status, provenance) and series.csv into DIR.
+  verb->footer(
+      R"(Prints what was held back, how far the overflow flew, what the load was, and warnings; --all prints every metric.
+Writes result.json (metrics, status, provenance), series.csv and report.html into DIR.
 
 Examples:
   parapet simulate designs/single_barrier.json

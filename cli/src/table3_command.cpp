@@ -7,6 +7,7 @@
 #include "duration_text.hpp"
 #include "flow_records.hpp"
 #include "interrupt.hpp"
+#include "parapet/records/output_folder.hpp"
 #include "parapet/reports/sweep_table.hpp"
 #include "parapet/study/sweep_run.hpp"
 #include "report_files.hpp"
@@ -40,6 +41,7 @@ study::SweepOutcome run_rows(const Session& session, const Table3Options& option
   run.hooks.on_message = [&](const std::string& text) { session.log->warn("{}", text); };
   run.on_row = [&](const records::SweepRowResult& row, bool kept) {
     monitor.ended(row.id, kept);
+    if (!kept) std::filesystem::remove(folder / records::report_page);  // of fewer rows
     if (kept) {
       session.log->info("{}: finished before, not run again", row.id);
     } else {

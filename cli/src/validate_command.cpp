@@ -12,6 +12,7 @@
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/output_folder.hpp"
 #include "parapet/validation/suite.hpp"
+#include "report_files.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
 
@@ -74,6 +75,7 @@ void write_pages(const Session& session, const std::filesystem::path& folder) {
     records::write_file_atomically(folder / page.file, page.text);
   }
   session.out->print("pages: {}\n", (folder / "README.md").string());
+  write_report(session, folder);
 }
 
 int validate_command(const Session& session, const ValidateOptions& options) {
@@ -94,7 +96,11 @@ int validate_command(const Session& session, const ValidateOptions& options) {
   if (is_new) records::take_output_folder(folder, records::FolderKind::validation);
   const validation::SuiteOutcome outcome = run_cases(session, options, folder);
   session.out->print("{}", validation::scorecard_text(outcome.cards));
-  if (!options.quick) write_pages(session, folder);
+  if (options.quick) {
+    write_report(session, folder);
+  } else {
+    write_pages(session, folder);
+  }
   if (!outcome.unfinished.empty()) {
     session.log->error("interrupted; continue with: parapet validate {}",
                        joined(outcome.unfinished));
@@ -124,7 +130,8 @@ void add_validate(CLI::App& app, Session& session) {
                  "Write the pages again from the existing scorecards");
   verb->footer(
       R"(Prints a scorecard of measured values beside their limits, and writes CASE.json, plots and flow
-pictures of each case, CASE.md for each and README.md, the pages made of them. Cases that have ended are kept when the
+pictures of each case, CASE.md for each and README.md, the pages made of them, and report.html, where cases and verdicts can be
+filtered. Cases that have ended are kept when the
 suite is interrupted.
 
 Examples:

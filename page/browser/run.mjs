@@ -1,7 +1,8 @@
 // The pages that the program wrote, in headless Chromium without a network:
 //   node browser/run.mjs DIR [SCREENSHOTS]
 // DIR holds the folders study (recommended, with recordings), simulation (recorded, with a hostile
-// name), sweep and validation, each with its report.html. See .ci/page.
+// name), sweep, validation and studies (study beside a committed one), each with its report.html.
+// See .ci/page.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -71,7 +72,7 @@ async function shoot(page, name, options = {}) {
 
 const values = (page, selector) => page.$$eval(`${selector} data`, (list) => list.map((one) => Number(one.value)));
 
-const kinds = ['study', 'simulation', 'sweep', 'validation'];
+const kinds = ['study', 'simulation', 'sweep', 'validation', 'studies'];
 
 for (const kind of kinds) {
   for (const scheme of ['light', 'dark']) {
@@ -338,6 +339,107 @@ test('5,000 designs do not freeze the page', async () => {
   assert.ok(longest < 3000, `${longest} ms without an answer`);
   assert.deepEqual(wrong, []);
   await close();
+});
+
+test('a served page hears of new designs', { skip: !process.env.PARAPET }, async () => {
+  const study = join(scratch, 'served');
+  cpSync(join(folder, 'study'), study, { recursive: true });
+  const server = spawn(process.env.PARAPET, ['serve', study], { stdio: ['ignore', 'pipe', 'ignore'] });
+  try {
+    const address = await new Promise((found) => server.stdout.on('data', (data) => found(String(data).trim())));
+    const page = await browser.newPage();
+    const wrong = [];
+    page.on('console', (message) => message.type() === 'error' && wrong.push(message.text()));
+    page.on('pageerror', (error) => wrong.push(error.message));
+    await page.goto(address);
+    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+    assert.match(await page.textContent('.live'), /waiting for the next design/);
+    const summary = JSON.parse(readFileSync(join(study, 'summary.json'), 'utf8'));
+    await page.waitForTimeout(700);
+    writeFileSync(join(study, 'summary.json'), JSON.stringify({ ...summary, state: 'running' }));
+    await page.waitForFunction(() => document.querySelector('.live').textContent.includes('There is something new'));
+    await Promise.all([page.waitForEvent('load'), page.click('.live button')]);
+    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+    assert.deepEqual(wrong, []);
+    await page.close();
+  } finally {
+    server.kill('SIGINT');
+  }
+});
+
+test('studies: one front of all, by the simulated values', async () => {
+  const logs = { quickstart: lines('study/evaluations.jsonl'), single_deflector: readFileSync(new URL('../../reports/recommendations/single_deflector/evaluations.jsonl', import.meta.url), 'utf8').trim().split('\n').map((line) => JSON.parse(line)) };
+  const { page, wrong, close } = await visit(join(folder, 'studies/report.html'));
+  const data = await page.evaluate(() => JSON.parse(document.getElementById('page-data').textContent));
+  const all = Object.values(logs).flatMap((log) => log.filter((one) => one.status !== 'refused'));
+  assert.equal(data.designs.id.length, all.length);
+  const [objective] = data.objectives;
+  const best = Math.max(...Object.values(logs).map((log) => {
+    const ok = log.filter((one) => one.status === 'ok');
+    const finest = Math.min(...ok.map((one) => one.spacing_m));
+    return Math.max(...ok.filter((one) => one.feasible && one.spacing_m === finest).map((one) => one.objectives.find((o) => o.metric === objective.name).value));
+  }));
+  const row = data.designs.front.indexOf(true);
+  assert.equal(data.objectives.length, 1);
+  assert.equal(data.designs.objectives[objective.name][row], best);
+  assert.ok((await page.textContent('#answer table')).includes('single_deflector'));
+  assert.match(await page.textContent('#designs [role=status]'), new RegExp(`of ${all.length} rows`));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('study: series have the discharge and the windows of the loads', async () => {
+  const { page, wrong, close } = await visit(join(folder, 'study/report.html'));
+  const id = json('study/recommendation.json').recommended.id;
+  const record = lines('study/evaluations.jsonl').find((one) => one.id === id);
+  const run = await page.evaluate((key) => JSON.parse(document.getElementById('page-data').textContent).runs[key], id);
+  const design = run.windows.find((one) => one.key === 'barrier_1_design_force_n_per_m');
+  assert.equal(design.value, record.metrics.barrier_1_design_force_n_per_m);
+  assert.equal(design.to_s, record.metrics.barrier_1_design_force_time_s);
+  assert.ok(Math.abs(design.to_s - design.from_s - 0.7 * Math.sqrt(0.2 / 9.81)) < 1e-9);
+  await page.locator('#flow').scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => document.querySelector('#flow .compare')?.dataset.ready === 'true');
+  const titles = await page.$$eval('#flow figure.panel figcaption', (list) => list.map((one) => one.textContent));
+  assert.ok(titles.some((title) => title.startsWith('overflow discharge')), titles.join(', '));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('a saved copy opens with the view that was saved', async () => {
+  const { page, close } = await visit(join(folder, 'study/report.html'));
+  const options = await page.$$eval('#else label:has-text("Across") option', (list) => list.map((one) => one.value));
+  const other = options[options.length - 1];
+  await page.selectOption('#else label:has-text("Across") select', other);
+  const ids = await page.$$eval('#designs tbody input', (list) => list.map((one) => one.getAttribute('aria-label').replace('Compare design ', '')));
+  const before = await page.locator('#flow .chosen button').allTextContents();
+  const more = ids.find((id) => !before.some((text) => text.startsWith(id)));
+  await page.check(`#designs input[aria-label="Compare design ${more}"]`);
+  await page.locator('#flow').scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => document.querySelector('#flow canvas.flow')?.dataset.frame === '0');
+  await page.selectOption('#flow .controls label:has-text("Colour") select', 'pressure');
+  await page.locator('#flow .scrub').focus();
+  for (let k = 0; k < 5; ++k) await page.keyboard.press('ArrowRight');
+  await page.fill('#designs input[type=search]', 'stage = search');
+  await page.click('.theme');
+  const chosen = await page.locator('#flow .chosen button').allTextContents();
+  const time = await page.textContent('#flow output.time');
+  const rows = await page.textContent('#designs [role=status]');
+  const download = page.waitForEvent('download');
+  await page.click('header .save');
+  const copy = join(scratch, 'copy.html');
+  await (await download).saveAs(copy);
+  await close();
+  const again = await visit(copy);
+  assert.equal(await again.page.inputValue('#else label:has-text("Across") select'), other);
+  assert.deepEqual(await again.page.locator('#flow .chosen button').allTextContents(), chosen);
+  assert.equal(await again.page.textContent('#designs [role=status]'), rows);
+  assert.equal(await again.page.getAttribute('html', 'data-theme'), 'dark');
+  await again.page.locator('#flow').scrollIntoViewIfNeeded();
+  await again.page.waitForFunction(() => document.querySelector('#flow .compare')?.dataset.ready === 'true');
+  assert.equal(await again.page.inputValue('#flow .controls label:has-text("Colour") select'), 'pressure');
+  assert.equal(await again.page.textContent('#flow output.time'), time);
+  assert.deepEqual(again.wrong, []);
+  await again.close();
 });
 
 test('the theme can be switched', async () => {

@@ -5,6 +5,7 @@ import { button, h, select } from './dom';
 import { numberText } from './format';
 import type { Player } from './player';
 import type { Quantity } from './splat';
+import { view } from './view';
 
 const quantities: { value: Quantity; text: string; unit: string }[] = [
   { value: 'speed', text: 'speed', unit: 'm/s' },
@@ -66,21 +67,32 @@ export function controls(clock: Clock, players: Player[]): HTMLElement {
   };
   const bar = h('div', {}, legend(first));
   const show = (what: string): void => {
+    view.set('play.colour', what);
     players.forEach((player) => player.show(what as Quantity));
     bar.replaceChildren(legend(first));
   };
-  const speed = h('select', { change: () => clock.setSpeed(Number(speed.value)) });
+  const speed = h('select', {
+    change: () => {
+      view.set('play.speed', Number(speed.value));
+      clock.setSpeed(Number(speed.value));
+    },
+  });
+  clock.setSpeed(view.choice('play.speed', speeds, clock.speed));
+  const colour = view.choice('play.colour', quantities.map((one) => one.value), first.quantity);
+  if (colour !== first.quantity) show(colour);
   for (const one of speeds) speed.append(h('option', { value: one }, `× ${one}`));
   const overlays = h('input', {
     type: 'checkbox',
-    checked: true,
+    checked: view.get('play.overlays', true),
     change: () => {
+      view.set('play.overlays', overlays.checked);
       for (const player of players) {
         player.overlays = overlays.checked;
         player.redraw();
       }
     },
   });
+  players.forEach((player) => (player.overlays = overlays.checked));
   const state = (): void => {
     play.textContent = clock.playing ? 'Pause' : 'Play';
     scrub.max = String(clock.end);
@@ -89,6 +101,7 @@ export function controls(clock: Clock, players: Player[]): HTMLElement {
   const moved = (time: number): void => {
     scrub.value = String(time);
     scrub.setAttribute('aria-valuetext', `${time.toFixed(2)} seconds`);
+    view.set('play.time', time);
     output.textContent = `${time.toFixed(2)} of ${clock.end.toFixed(2)} s`;
   };
   clock.watch(moved);

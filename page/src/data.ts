@@ -41,13 +41,15 @@ export interface Run {
   scene?: Scene;
   series?: string;
   recording?: string;
+  /** Windows of the running means of which the loads are the largest. */
+  windows?: { barrier: number; key: string; value: number; from_s: number; to_s: number }[];
   /** How to make a recording that is not there. */
   record_command?: string;
 }
 
 export interface Common {
   format: string;
-  kind: 'study' | 'simulation' | 'sweep' | 'validation';
+  kind: 'study' | 'simulation' | 'sweep' | 'validation' | 'studies';
   name: string;
   description: string;
   date: string;
@@ -204,6 +206,35 @@ export interface Designs {
   objectives: Record<string, (number | null)[]>;
   constraints: Record<string, (number | null)[]>;
   metrics: Record<string, (number | null)[]>;
+  /** Of several studies: whether each was simulated at the spacing that counts in its study. */
+  counts?: boolean[];
+}
+
+/** Designs that one table holds: of a study, or of several. */
+export interface DesignsPage extends Common {
+  variables: Variable[];
+  objectives: Terms[];
+  finest_spacing_m?: number;
+  designs: Designs;
+}
+
+/** One of several studies. */
+export interface MemberStudy {
+  label: string;
+  folder: string;
+  hash: string;
+  state: string;
+  spacing_m: number;
+  designs: number;
+  feasible: number;
+  on_joint_front: number;
+  recommended: string | null;
+}
+
+export interface StudiesPage extends DesignsPage {
+  kind: 'studies';
+  notes: string[];
+  studies: MemberStudy[];
 }
 
 /** The surrogate along one variable through a design. */
@@ -215,14 +246,10 @@ export interface Slice {
   upper_95: number[];
 }
 
-export interface StudyPage extends Common {
+export interface StudyPage extends DesignsPage {
   kind: 'study';
   state: string;
   recommendation: Recommendation;
-  variables: Variable[];
-  objectives: Terms[];
-  finest_spacing_m: number;
-  designs: Designs;
   slices: { design: string; metrics: { metric: string; slices: Slice[] }[] } | null;
 }
 
@@ -299,7 +326,7 @@ export interface ValidationPage extends Common {
   figures: { case: string; file: string; block: string }[];
 }
 
-export type Page = StudyPage | SimulationPage | SweepPage | ValidationPage;
+export type Page = StudyPage | StudiesPage | SimulationPage | SweepPage | ValidationPage;
 
 /** Reads the page's data; throws where there are none. */
 export function readPage(): Page {

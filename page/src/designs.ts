@@ -1,5 +1,5 @@
 /** The designs of a study by row, and the quantities that any view may ask for. */
-import type { StudyPage } from './data';
+import type { DesignsPage } from './data';
 import type { Keys } from './format';
 
 /** Variables, objectives, limits and metrics: whatever has a value at each design. */
@@ -32,7 +32,7 @@ export class DesignTable {
   readonly kind: Kind[];
 
   constructor(
-    readonly page: StudyPage,
+    readonly page: DesignsPage,
     keys: Keys,
   ) {
     const { designs } = page;
@@ -66,7 +66,8 @@ export class DesignTable {
     const { designs, finest_spacing_m } = this.page;
     if (designs.status[row] !== 'ok') return 'failed';
     if (designs.front[row]) return 'front';
-    if (designs.spacing_m[row]! > finest_spacing_m * (1 + 1e-9)) return 'coarse';
+    const coarse = designs.counts ? !designs.counts[row] : designs.spacing_m[row]! > (finest_spacing_m ?? Infinity) * (1 + 1e-9);
+    if (coarse) return 'coarse';
     if (!designs.feasible[row]) return 'infeasible';
     return (designs.warnings[row] ?? []).length > 0 ? 'warned' : 'feasible';
   }

@@ -4,6 +4,7 @@ import type { MainEffect, Slice, StudyPage } from './data';
 import { h, select } from './dom';
 import { numberText, type Keys } from './format';
 import { color } from './theme';
+import { view } from './view';
 
 type Curve = { at: (number | string)[]; middle: number[]; lower: number[]; upper: number[] };
 
@@ -184,8 +185,12 @@ export function effectsView(page: StudyPage, keys: Keys): HTMLElement {
     }
     place.replaceChildren(...parts);
   };
-  const element = h('div', {}, select('Quantity', names.map((name) => ({ value: name, text: keys.label(name) })), names[0]!, show), place);
-  show(names[0]!);
+  const start = view.choice('effects', names, names[0]!);
+  const element = h('div', {}, select('Quantity', names.map((name) => ({ value: name, text: keys.label(name) })), start, (name) => {
+    view.set('effects', name);
+    show(name);
+  }), place);
+  show(start);
   return element;
 }
 

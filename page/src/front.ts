@@ -1,12 +1,14 @@
 /** The front and everything around it: any quantity against any other. */
 import type { ECharts } from 'echarts/core';
 import { axisStyle, Chart, tooltipStyle } from './chart';
+import type { Recommendation } from './data';
 import { palette } from './colors';
 import { axisValue, kinds, type DesignTable, type Kind, type Quantity } from './designs';
 import { checkbox, h, select } from './dom';
 import type { Keys } from './format';
 import type { Store } from './store';
 import { color } from './theme';
+import { view } from './view';
 
 const symbols: Record<Kind, string> = {
   front: 'diamond',
@@ -16,6 +18,12 @@ const symbols: Record<Kind, string> = {
   coarse: 'emptyCircle',
   failed: 'emptyRect',
 };
+
+interface Point {
+  value: [number, number];
+  row: number;
+  itemStyle?: { color: string; borderColor: string };
+}
 
 export class FrontView {
   readonly element: HTMLElement;
@@ -30,12 +38,18 @@ export class FrontView {
     private readonly table: DesignTable,
     private readonly keys: Keys,
     private readonly store: Store,
+    /** What a study has found; nothing where several are laid side by side. */
+    private readonly advice: Recommendation = {},
+    /** A quantity with a colour for each of its options, instead of one for each kind. */
+    private readonly byOption?: Quantity,
   ) {
     const numeric = table.quantities;
     const objectives = numeric.filter((one) => one.group === 'objective');
     const other = numeric.find((one) => one.group === 'variable')!;
-    this.x = objectives[1] ?? other;
-    this.y = objectives[0] ?? numeric[0]!;
+    this.x = table.find(view.get('front.x', '')) ?? objectives[1] ?? other;
+    this.y = table.find(view.get('front.y', '')) ?? objectives[0] ?? numeric[0]!;
+    if (view.get('front.feasible', false)) this.shown.delete('infeasible');
+    this.bars = view.get('front.bars', true);
     this.hover = new Set([...objectives, ...numeric.filter((one) => one.group === 'variable')].map((one) => one.key));
     this.chart = new Chart(
       () => this.describe(),
@@ -58,9 +72,16 @@ export class FrontView {
     const row = h(
       'div',
       { class: 'row' },
-      choose('Across', this.x, (one) => (this.x = one)),
-      choose('Up', this.y, (one) => (this.y = one)),
-      checkbox('feasible only', false, (only) => {
+      choose('Across', this.x, (one) => {
+        this.x = one;
+        view.set('front.x', one.key);
+      }),
+      choose('Up', this.y, (one) => {
+        this.y = one;
+        view.set('front.y', one.key);
+      }),
+      checkbox('feasible only', !this.shown.has('infeasible'), (only) => {
+        view.set('front.feasible', only);
         this.shown.delete('infeasible');
         if (!only) this.shown.add('infeasible');
         this.chart.update();
@@ -78,7 +99,8 @@ export class FrontView {
       );
     }
     row.append(
-      checkbox('95 % bars', true, (on) => {
+      checkbox('95 % bars', this.bars, (on) => {
+        view.set('front.bars', on);
         this.bars = on;
         this.chart.update();
       }),
@@ -122,12 +144,20 @@ export class FrontView {
     return lines.join('\n').replace(/[{}|]/g, ' '); // what ECharts' rich text would read as marks
   }
 
-  private points(kind: Kind): { value: [number, number]; row: number }[] {
-    const found: { value: [number, number]; row: number }[] = [];
+  private optionColor(row: number): string | null {
+    if (!this.byOption) return null;
+    const place = axisValue(this.byOption, row);
+    return place === null ? null : palette[place % palette.length]!;
+  }
+
+  private points(kind: Kind): Point[] {
+    const found: Point[] = [];
     this.table.kind.forEach((one, row) => {
       if (one !== kind || !this.store.passes(row)) return;
       const [x, y] = [axisValue(this.x, row), axisValue(this.y, row)];
-      if (x !== null && y !== null) found.push({ value: [x, y], row });
+      if (x === null || y === null) return;
+      const own = this.optionColor(row);
+      found.push({ value: [x, y], row, ...(own ? { itemStyle: { color: own, borderColor: own } } : {}) });
     });
     return found;
   }
@@ -136,7 +166,7 @@ export class FrontView {
   private intervals(): object[] {
     if (!this.bars) return [];
     const lines: (number | null)[][] = [];
-    for (const design of this.table.page.recommendation.front ?? []) {
+    for (const design of this.advice.front ?? []) {
       const row = this.table.rowOf.get(design.id);
       if (row === undefined || !this.store.passes(row)) continue;
       const of = (quantity: Quantity) => design.objectives.find((one) => one.name === quantity.name);
@@ -187,11 +217,11 @@ export class FrontView {
       data: this.shown.has(kind) ? this.points(kind) : [],
       symbol: symbols[kind],
       symbolSize: kind === 'front' ? 13 : 8,
-      itemStyle: { color: colors[kind], opacity: kind === 'front' ? 1 : 0.75, borderColor: colors[kind] },
+      itemStyle: { color: this.byOption ? color('soft') : colors[kind], opacity: kind === 'front' ? 1 : 0.75, borderColor: colors[kind] },
       animation: false,
       z: kind === 'front' ? 4 : 3,
     }));
-    const recommended = this.table.page.recommendation.recommended?.id;
+    const recommended = this.advice.recommended?.id;
     const chosen = [...new Set([...(recommended ? [recommended] : []), ...this.store.selected])].flatMap((id) => {
       const row = this.table.rowOf.get(id);
       if (row === undefined) return [];

@@ -4,9 +4,11 @@ import { h } from './dom';
 import { Keys } from './format';
 import { liveBar } from './live';
 import { simulationSections } from './simulation';
+import { studiesSections } from './studies';
 import { studySections } from './study';
 import { sweepSections } from './sweep';
 import { themeButton } from './theme';
+import { saveButton } from './view';
 import { validationSections } from './validation';
 
 const kindWords: Record<Page['kind'], string> = {
@@ -14,6 +16,7 @@ const kindWords: Record<Page['kind'], string> = {
   simulation: 'Simulation',
   sweep: 'Sweep',
   validation: 'Validation',
+  studies: 'Studies',
 };
 
 function sectionsOf(page: Page): HTMLElement[] {
@@ -21,6 +24,8 @@ function sectionsOf(page: Page): HTMLElement[] {
   switch (page.kind) {
     case 'study':
       return studySections(page, keys);
+    case 'studies':
+      return studiesSections(page, keys);
     case 'simulation':
       return simulationSections(page, keys);
     case 'sweep':
@@ -41,9 +46,10 @@ function show(page: Page): void {
       {},
       h('div', { class: 'title' }, h('span', { class: 'kind-of-page' }, kindWords[page.kind]), h('h1', {}, page.name)),
       h('nav', { 'aria-label': 'Parts of this page' }, ...links),
+      saveButton(page.name),
       themeButton(),
     ),
-    h('main', { id: 'main', tabindex: -1 }, page.description ? h('p', { class: 'description' }, page.description) : '', page.live ? liveBar() : '', ...sections),
+    h('main', { id: 'main', tabindex: -1 }, page.description ? h('p', { class: 'description' }, page.description) : '', page.live && location.protocol === 'http:' ? liveBar() : '', ...sections),
     h('footer', {}, `Written by parapet ${page.program.version}${page.program.git_revision ? ` (${page.program.git_revision})` : ''} on ${page.date.slice(0, 10)}. This page asks for nothing from anywhere.`),
   );
   document.documentElement.dataset['ready'] = 'true';

@@ -18,9 +18,9 @@ export function panels(columns: string[]): Panel[] {
   return [...found.values()];
 }
 
-/** What is shown first: retention, load and energy where there are such columns, else the first. */
+/** What is shown first: retention, load, energy and discharge where there are such columns, else the first. */
 export function firstPanels(all: Panel[]): string[] {
-  const wanted = ['retention', 'force_x', 'kinetic_energy', 'depth', ''];
+  const wanted = ['retention', 'force_x', 'kinetic_energy', 'discharge', 'depth', ''];
   const chosen: string[] = [];
   for (const word of wanted) {
     const panel = all.find((one) => one.title.includes(word) && !chosen.includes(one.title));

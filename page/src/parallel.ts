@@ -7,6 +7,7 @@ import { button, checkbox, h, select } from './dom';
 import type { Keys } from './format';
 import type { Store } from './store';
 import { color } from './theme';
+import { view } from './view';
 
 export class ParallelView {
   readonly element: HTMLElement;
@@ -19,9 +20,11 @@ export class ParallelView {
   constructor(
     private readonly table: DesignTable,
     private readonly store: Store,
+    /** A quantity with a colour for each of its options, instead of one for each kind. */
+    private readonly byOption?: Quantity,
   ) {
     const first = table.quantities.filter((one) => one.group === 'variable' || one.group === 'objective');
-    this.axes = new Set(first.slice(0, 12).map((one) => one.key));
+    this.axes = new Set(view.get('parallel.axes', first.slice(0, 12).map((one) => one.key)).filter((key) => table.find(key)));
     this.chart = new Chart(
       () => `Parallel coordinates of ${this.shownAxes().map((one) => one.label).join(', ')} for the designs that ended well`,
       () => this.option(),
@@ -42,28 +45,30 @@ export class ParallelView {
 
   private fields(): HTMLElement {
     const ranked = this.table.quantities.filter((one) => one.goal);
-    let by = ranked[0];
-    const share = h('input', { type: 'range', min: 1, max: 100, value: 100, 'aria-label': 'Best share in per cent' });
+    let by = ranked.find((one) => one.key === view.get('best.by', '')) ?? ranked[0];
+    const share = h('input', { type: 'range', min: 1, max: 100, value: view.get('best.share', 100), 'aria-label': 'Best share in per cent' });
     const shown = h('output', {}, '100 %');
     const apply = (): void => {
       shown.textContent = `${share.value} %`;
+      view.set('best.share', Number(share.value));
+      if (by) view.set('best.by', by.key);
       const all = Number(share.value) >= 100 || !by;
       this.store.filter('best', all ? null : bestRows(by!, Number(share.value) / 100, (row) => this.counts(row)));
     };
     share.addEventListener('input', apply);
+    if (Number(share.value) < 100) apply();
     return h(
       'div',
       { class: 'row' },
       h('label', { class: 'field' }, h('span', {}, 'Best'), share, shown),
       ranked.length > 0 &&
-        select('by', ranked.map((one) => ({ value: one.key, text: one.label })), ranked[0]!.key, (key) => {
+        select('by', ranked.map((one) => ({ value: one.key, text: one.label })), by!.key, (key) => {
           by = this.table.find(key);
           apply();
         }),
       button('Clear brushes', () => {
         share.value = '100';
-        shown.textContent = '100 %';
-        this.store.filter('best', null);
+        apply();
         this.store.filter('axes', null);
         this.chart_?.clear();
         this.chart_?.setOption(this.option());
@@ -84,6 +89,7 @@ export class ParallelView {
           checkbox(one.label, this.axes.has(one.key), (on) => {
             if (on) this.axes.add(one.key);
             else this.axes.delete(one.key);
+            view.set('parallel.axes', [...this.axes]);
             this.chart_?.clear();
             this.chart_?.setOption(this.option());
           }),
@@ -160,11 +166,13 @@ export class ParallelView {
             const kind = this.table.kind[row]!;
             const place = this.store.selected.indexOf(id[row]!);
             const main = place >= 0;
+            const option = this.byOption ? axisValue(this.byOption, row) : null;
+            const plain = option !== null ? palette[option % palette.length]! : kind === 'front' ? color('accent') : kind === 'infeasible' ? color('bad') : color('good');
             const passes = this.store.passes(row) || main;
             return {
               value: axes.map((one) => (one.options ? (one.values[row] ?? '-') : (axisValue(one, row) ?? '-'))),
               lineStyle: {
-                color: main ? palette[place % palette.length] : kind === 'front' ? color('accent') : kind === 'infeasible' ? color('bad') : color('good'),
+                color: main && option === null ? palette[place % palette.length] : plain,
                 width: main ? 4 : kind === 'front' ? 2.2 : 1.2,
                 ...(main ? { opacity: 1 } : passes ? {} : { opacity: 0.03 }),
               },
@@ -185,8 +193,10 @@ export function distributions(table: DesignTable, keys: Keys, store: Store): HTM
     element.replaceChildren(
       ...variables.map((one) => {
         const spec = table.page.variables.find((variable) => variable.name === one.name);
-        const low = one.options ? -0.5 : (spec?.lower ?? 0);
-        const high = one.options ? one.options.length - 0.5 : (spec?.upper ?? 1);
+        const tried = one.values.filter((value): value is number => typeof value === 'number');
+        const low = one.options ? -0.5 : (spec?.lower ?? tried.reduce((least, value) => Math.min(least, value), Infinity));
+        const top = one.options ? one.options.length - 0.5 : (spec?.upper ?? tried.reduce((most, value) => Math.max(most, value), -Infinity));
+        const high = top > low ? top : low + 1;
         const n = one.options ? one.options.length : bins;
         const all = new Array<number>(n).fill(0);
         const kept = new Array<number>(n).fill(0);

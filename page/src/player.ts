@@ -5,6 +5,7 @@ import { boxOf, toWorld, usefulLength, type Box, type Point } from './geometry';
 import type { Frame, Recording } from './recording';
 import { column, valueAt, type Series } from './series';
 import { colorScale, splat, type ColorScale, type Quantity } from './splat';
+import { view } from './view';
 
 /** What of the series is drawn over the particles. */
 interface Loads {
@@ -40,6 +41,7 @@ export class Player {
   private time = 0;
   private wanted = -1;
   private image: ImageData | null = null;
+  private key = '';
   overlays = true;
   /** Called after a frame was drawn, with what it took [ms]. */
   drawn: ((milliseconds: number) => void) | null = null;
@@ -67,6 +69,21 @@ export class Player {
     this.element = h('div', { class: 'player' }, this.canvas);
     this.drag();
     new ResizeObserver(() => this.redraw()).observe(this.canvas);
+  }
+
+  /** Shows the part of the channel that a saved view shows, and keeps what is shown for the next. */
+  remember(key: string): void {
+    const box = view.get<number[]>(key, []);
+    if (box.length === 4 && box.every(Number.isFinite)) {
+      const [left, right, bottom, top] = box as [number, number, number, number];
+      if (right > left && top > bottom) this.box = { left, right, bottom, top };
+    }
+    this.key = key;
+  }
+
+  private moved(): void {
+    if (this.key) view.set(this.key, [this.box.left, this.box.right, this.box.bottom, this.box.top]);
+    this.redraw();
   }
 
   get quantity(): Quantity {
@@ -101,7 +118,7 @@ export class Player {
         top: y + (top - y) / factor,
       };
     }
-    this.redraw();
+    this.moved();
   }
 
   /** The view around a barrier. */
@@ -112,7 +129,7 @@ export class Player {
     const size = 2.2 * Math.max(box.right - box.left, box.top - box.bottom);
     const [x, y] = [(box.left + box.right) / 2, (box.bottom + box.top) / 2];
     this.box = { left: x - size, right: x + size, bottom: y - size * 0.4, top: y + size * 0.6 };
-    this.redraw();
+    this.moved();
   }
 
   private pan(dx: number, dy: number): void {
@@ -120,7 +137,7 @@ export class Player {
     const [x, y] = [-dx / scale, dy / scale];
     const { left, right, bottom, top } = this.box;
     this.box = { left: left + x, right: right + x, bottom: bottom + y, top: top + y };
-    this.redraw();
+    this.moved();
   }
 
   private drag(): void {

@@ -10,6 +10,7 @@ import { Player } from './player';
 import { Recording } from './recording';
 import { readSeries, type Series } from './series';
 import { seriesPanels, type NamedSeries } from './seriesplot';
+import { view } from './view';
 
 export function titleBlock(page: Common, title: string): Parameters<typeof drawing>[1] {
   const { version, git_revision } = page.program;
@@ -73,18 +74,20 @@ export function compareRuns(
       }
       const recording = new Recording(bytes);
       const player = new Player(recording, series[k]!, `Flow of ${recording.header.name}`);
+      player.remember(`play.box.${k}`);
       end = Math.max(end, recording.end);
       places[k]!.append(player.element);
       players.push(player);
     });
+    const start = view.get('play.time', 0);
     clock.setEnd(end);
     if (players.length > 0) {
       element.append(controls(clock, players));
       clock.watch((time) => players.forEach((player) => player.set(time)));
-      clock.set(0);
+      clock.set(start);
     }
     const named: NamedSeries[] = names.flatMap((name, k) =>
-      series[k] ? [{ name, series: series[k]! }] : [],
+      series[k] ? [{ name, series: series[k]!, windows: page.runs[name]?.windows ?? [] }] : [],
     );
     if (named.length > 0) element.append(seriesPanels(named, keys, clock));
     element.dataset['ready'] = 'true';

@@ -3,14 +3,18 @@ import type { Chart } from './chart';
 import { Chart as MadeChart, axisStyle, tooltipStyle } from './chart';
 import type { Clock } from './clock';
 import { palette } from './colors';
+import type { Run } from './data';
 import { h, select } from './dom';
 import type { Keys } from './format';
 import { firstPanels, panels, type Panel } from './panels';
 import type { Series } from './series';
+import { view } from './view';
 
 export interface NamedSeries {
   name: string;
   series: Series;
+  /** Of the loads. */
+  windows: NonNullable<Run['windows']>;
 }
 
 const dashes: ('solid' | 'dashed' | 'dotted')[] = ['solid', 'dashed', 'dotted'];
@@ -18,6 +22,30 @@ const dashes: ('solid' | 'dashed' | 'dotted')[] = ['solid', 'dashed', 'dotted'];
 function points(series: Series, values: Float32Array): [number, number | null][] {
   const times = series.values[0]!;
   return Array.from(values, (value, k) => [times[k]!, Number.isFinite(value) ? value : null]);
+}
+
+/** The windows of a load over the forces of its barrier: as long as the mean, as high as it. */
+function windowLines(panel: Panel, runs: NamedSeries[], keys: Keys): object[] {
+  if (!/^force_x/.test(panel.title)) return [];
+  return runs.flatMap(({ name, windows }, run) =>
+    windows
+      .filter((one) => panel.columns.includes(`barrier_${one.barrier}_${panel.title}`))
+      .map((one) => ({
+        id: `${name} ${one.key}`,
+        type: 'line',
+        name: `${runs.length > 1 ? `${name}: ` : ''}${panel.columns.length > 1 ? keys.words(one.key) : keys.words(one.key).replace(/^barrier \d+ /, '')} ${keys.quantity(one.key, one.value)}`,
+        data: [
+          [one.from_s, one.value],
+          [one.to_s, one.value],
+        ],
+        symbol: 'rect',
+        symbolSize: [2, 10],
+        animation: false,
+        color: palette[run % palette.length],
+        lineStyle: { width: 5, opacity: 0.8 },
+        z: 6,
+      })),
+  );
 }
 
 function plot(panel: Panel, runs: NamedSeries[], keys: Keys, clock: Clock): HTMLElement {
@@ -50,10 +78,10 @@ function plot(panel: Panel, runs: NamedSeries[], keys: Keys, clock: Clock): HTML
       animation: false,
       grid: { left: 64, right: 16, top: 34, bottom: 44 },
       tooltip: { trigger: 'axis', ...tooltipStyle(), axisPointer: { type: 'line' } },
-      legend: { top: 4, textStyle: { color: axisColor() }, itemHeight: 8, type: 'plain' },
+      legend: { top: 4, textStyle: { color: axisColor() }, itemHeight: 8, type: 'scroll' },
       xAxis: axisStyle('time [s]', { type: 'value', nameGap: 26, max: clock.end || undefined }),
       yAxis: axisStyle('', { type: 'value', scale: true }),
-      series: lines(),
+      series: [...lines(), ...windowLines(panel, runs, keys)],
     }),
     'series',
   );
@@ -86,7 +114,7 @@ function axisColor(): string {
 /** Panels of the runs with a choice of what they show. */
 export function seriesPanels(runs: NamedSeries[], keys: Keys, clock: Clock): HTMLElement {
   const all = panels(runs[0]?.series.columns ?? []);
-  const shown = firstPanels(all);
+  const shown = view.get('series.panels', firstPanels(all)).filter((title) => all.some((one) => one.title === title));
   const grid = h('div', { class: 'panels' });
   const make = (): void => {
     grid.querySelectorAll('figure').forEach((one) => one.dispatchEvent(new Event('parapet-remove')));
@@ -99,6 +127,7 @@ export function seriesPanels(runs: NamedSeries[], keys: Keys, clock: Clock): HTM
         }));
         const choice = select('Shown', options, title, (value) => {
           shown[place] = value;
+          view.set('series.panels', shown);
           make();
         });
         return h('div', {}, choice, plot(panel, runs, keys, clock));

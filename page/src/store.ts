@@ -31,8 +31,13 @@ export class Store {
   }
 
   select(ids: string[]): void {
-    this.chosen = ids.slice(0, mostSelected);
+    this.start(ids);
     this.onSelection.forEach((tell) => tell());
+  }
+
+  /** The same before anything is shown. */
+  start(ids: string[]): void {
+    this.chosen = ids.slice(0, mostSelected);
   }
 
   /** Sets what one view lets through; null for everything. What all let through is shown. */

@@ -11,6 +11,7 @@ import { distributions, ParallelView } from './parallel';
 import { compareRuns } from './runs';
 import { mostSelected, Store } from './store';
 import { Table, type Column } from './table';
+import { view } from './view';
 
 function designColumns(table: DesignTable, keys: Keys, store: Store): Column[] {
   const { designs } = table.page;
@@ -59,7 +60,7 @@ function designColumns(table: DesignTable, keys: Keys, store: Store): Column[] {
   return columns;
 }
 
-function designSection(table: DesignTable, keys: Keys, store: Store): HTMLElement {
+export function designSection(table: DesignTable, keys: Keys, store: Store): HTMLElement {
   const base = designColumns(table, keys, store);
   const extra = table.quantities.filter((one) => one.group === 'metric');
   const place = h('div');
@@ -100,7 +101,7 @@ function designSection(table: DesignTable, keys: Keys, store: Store): HTMLElemen
   );
 }
 
-function compareSection(table: DesignTable, keys: Keys, store: Store): HTMLElement {
+export function compareSection(table: DesignTable, keys: Keys, store: Store): HTMLElement {
   const place = h('div');
   const list = h('div', { class: 'row chosen' });
   let last = '';
@@ -124,7 +125,8 @@ export function studySections(page: StudyPage, keys: Keys): HTMLElement[] {
   const table = new DesignTable(page, keys);
   const store = new Store();
   const start = shownDesign(page)?.id;
-  if (start !== undefined && table.rowOf.has(start)) store.select([start]);
+  store.start(view.get('chosen', start === undefined ? [] : [start]).filter((id) => table.rowOf.has(id)));
+  store.selectionChanged(() => view.set('chosen', [...store.selected]));
   const convergence = convergenceView(page);
   const failed = table.kind.filter((one) => one === 'failed').length;
   const sections = [
@@ -132,7 +134,7 @@ export function studySections(page: StudyPage, keys: Keys): HTMLElement[] {
     section('sure', 'How sure are we?', ...surenessParts(page, keys)),
   ];
   if (table.rows === 0) return [...sections, checkSection(page)];
-  const front = new FrontView(table, keys, store);
+  const front = new FrontView(table, keys, store, page.recommendation);
   const parallel = new ParallelView(table, store);
   sections.push(
     section(

@@ -9,6 +9,7 @@ import { compareRuns } from './runs';
 import { mostSelected, Store } from './store';
 import { Table, type Column } from './table';
 import { color } from './theme';
+import { view } from './view';
 
 interface Pair {
   row: SweepRow;
@@ -109,6 +110,7 @@ export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
   const place = h('div');
   let chart: Chart | null = null;
   const show = (key: string): void => {
+    view.set('figure', key);
     chart?.dispose();
     chart = figure(page, keys, key);
     place.replaceChildren(chart.element, h('p', { class: 'note' }, keys.definition(key) ?? ''));
@@ -129,9 +131,11 @@ export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
     ...page.rows.map((row) => button(row.id, () => store.toggle(row.id), { 'data-row': row.id, title: row.description, 'aria-pressed': 'false' })),
   );
   store.selectionChanged(update);
-  if (keysShown.length > 0) show(keysShown[0]!);
+  const shown = view.choice('figure', keysShown, keysShown[0] ?? '');
+  if (shown) show(shown);
   const recorded = page.rows.find((row) => page.runs[row.id]?.recording) ?? page.rows[0];
-  if (recorded) store.select([recorded.id]);
+  store.start(view.get('chosen', recorded ? [recorded.id] : []).filter((id) => page.rows.some((row) => row.id === id)));
+  store.selectionChanged(() => view.set('chosen', [...store.selected]));
   update();
   const columns: Column[] = [
     { key: 'id', label: 'Row', value: (k) => page.rows[k]!.id },
@@ -152,7 +156,7 @@ export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
       ),
       scorecard(page, keys),
     ),
-    section('figures', 'Figures', select('Quantity', keysShown.map((key) => ({ value: key, text: keys.label(key) })), keysShown[0] ?? '', show), place),
+    section('figures', 'Figures', select('Quantity', keysShown.map((key) => ({ value: key, text: keys.label(key) })), shown, show), place),
     section('flow', 'What does the flow look like?', h('p', {}, `Up to ${mostSelected} rows side by side.`), choice, playback),
     section('rows', 'All rows', new Table({ name: page.name, caption: 'Every row with all its metrics', columns, rows: page.rows.length }).element),
     checkSection(page),

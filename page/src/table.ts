@@ -2,6 +2,7 @@
 import { csvText, download } from './csv';
 import { button, clear, h, select } from './dom';
 import { parseCondition, sortRows, type Column } from './rows';
+import { view } from './view';
 
 export type { Column } from './rows';
 
@@ -35,6 +36,7 @@ export class Table {
       class: 'filter',
       placeholder: 'text, or: launch length < 0.1, stage = search',
       input: () => {
+        view.set(`filter.${options.caption}`, filter.value);
         this.own = parseCondition(filter.value, options.columns);
         this.page = 0;
         if (options.onFilter) {
@@ -70,7 +72,9 @@ export class Table {
       this.pages,
       this.status,
     );
-    this.update();
+    filter.value = view.get(`filter.${options.caption}`, '');
+    if (filter.value) filter.dispatchEvent(new Event('input'));
+    else this.update();
   }
 
   private all(): number[] {

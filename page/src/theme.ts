@@ -1,5 +1,6 @@
 /** Light and dark: the system's choice until the reader makes one. */
 import { h } from './dom';
+import { view } from './view';
 
 type Theme = 'light' | 'dark';
 const listeners: (() => void)[] = [];
@@ -25,6 +26,8 @@ function tell(): void {
 }
 
 export function themeButton(): HTMLElement {
+  const saved = view.choice('theme', ['light', 'dark', ''], '');
+  if (saved) document.documentElement.dataset['theme'] = saved;
   const button = h('button', { type: 'button', class: 'theme', click: () => set() });
   const label = (): void => {
     button.textContent = theme() === 'dark' ? 'Light' : 'Dark';
@@ -32,6 +35,7 @@ export function themeButton(): HTMLElement {
   };
   const set = (): void => {
     document.documentElement.dataset['theme'] = theme() === 'dark' ? 'light' : 'dark';
+    view.set('theme', theme());
     label();
     tell();
   };

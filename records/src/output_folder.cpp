@@ -133,6 +133,22 @@ void take_output_folder(const fs::path& folder, FolderKind kind) {
   write_file_atomically(folder / marker, json_text(json));
 }
 
+void remove_earlier_advice(const fs::path& folder) {
+  std::vector<fs::path> files{folder / report_page,           folder / designs_table,
+                              folder / "recommendation.json", folder / "recommendation.md",
+                              folder / "sensitivity.json",    folder / "hypervolume.png"};
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("front") && name.ends_with(".png")) files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw_file_error("remove", file, error.value());
+  }
+}
+
 void remove_earlier_simulation(const fs::path& folder) {
   std::vector<fs::path> files{folder / checksum_list,        folder / "result.json",
                               folder / "series.csv",         folder / "flow.png",

@@ -2,61 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
-#include <numeric>
 #include <span>
 #include <stdexcept>
-#include <string_view>
-#include <type_traits>
 
-#include "base64.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/file_name.hpp"
+#include "vtk_xml.hpp"
 
 namespace parapet::reports {
 namespace {
-
-constexpr std::string_view byte_order =
-    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-
-std::string file_header(std::string_view type) {
-  return fmt::format(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" "
-      "header_type=\"UInt64\">\n",
-      type, byte_order);
-}
-
-template <typename T>
-constexpr std::string_view vtk_type() {
-  static_assert(std::is_same_v<T, float> || std::is_same_v<T, std::int32_t>);
-  return std::is_same_v<T, float> ? "Float32" : "Int32";
-}
-
-/// One inline binary array: the byte count as UInt64 and the numbers, in one base64 stream.
-template <typename T>
-std::string data_array(std::string_view name, int components, const std::vector<T>& values) {
-  const std::uint64_t size = values.size() * sizeof(T);
-  std::vector<std::byte> bytes(sizeof(size) + size);
-  std::memcpy(bytes.data(), &size, sizeof(size));
-  if (size > 0) std::memcpy(bytes.data() + sizeof(size), values.data(), size);
-  return fmt::format(
-      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}"
-      "</DataArray>\n",
-      vtk_type<T>(), name, components, base64(bytes));
-}
-
-/// Three components per point; the channel's plane is VTK's x-y plane, so that it faces the viewer.
-std::vector<float> plane_vectors(std::span<const double> x, std::span<const double> z) {
-  std::vector<float> values(3 * x.size(), 0.0F);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    values[3 * k] = static_cast<float>(x[k]);
-    values[3 * k + 1] = static_cast<float>(z[k]);
-  }
-  return values;
-}
 
 std::vector<float> scalars(std::span<const double> values) {
   std::vector<float> copy(values.size());
@@ -64,20 +21,82 @@ std::vector<float> scalars(std::span<const double> values) {
   return copy;
 }
 
-/// A PolyData file of points, one vertex cell each.
-std::string point_cloud(std::span<const double> x, std::span<const double> z,
-                        std::string_view field_data, std::string_view point_data) {
-  std::vector<std::int32_t> connectivity(x.size());
-  std::iota(connectivity.begin(), connectivity.end(), 0);
-  std::vector<std::int32_t> offsets(x.size());
-  std::iota(offsets.begin(), offsets.end(), 1);
-  return fmt::format(
-      "{}<PolyData>\n{}<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
-      "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n{}</PointData>\n"
-      "<Points>\n{}</Points>\n<Verts>\n{}{}</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n",
-      file_header("PolyData"), field_data, x.size(), x.size(), point_data,
-      data_array("position_m", 3, plane_vectors(x, z)), data_array("connectivity", 1, connectivity),
-      data_array("offsets", 1, offsets));
+bool convex(const std::vector<solver::Vec2>& corners) {
+  bool left = false, right = false;
+  const std::size_t n = corners.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const solver::Vec2 a = corners[k], b = corners[(k + 1) % n], c = corners[(k + 2) % n];
+    const double turn = (b.x - a.x) * (c.z - b.z) - (b.z - a.z) * (c.x - b.x);
+    (turn > 0.0 ? left : right) = true;
+  }
+  return !(left && right);
+}
+
+/// The bed with the wall behind the release, and every body as a closed line; numbered by barrier
+/// from 1, upstream first, else 0. VTK fills convex polygons alone: stem and deflector come apart,
+/// and another solid is filled when it is convex.
+VtkShapes outlines(const solver::Scene& scene) {
+  VtkShapes shapes{.lines = {{{0.0, scene.domain_height}, {0.0, 0.0}, {scene.domain_length, 0.0}}},
+                   .polygons = {},
+                   .name = "barrier",
+                   .numbers = {0}};
+  std::vector<std::int32_t> filled;
+  const auto fill = [&](std::vector<solver::Vec2> corners, std::int32_t number) {
+    shapes.polygons.push_back(std::move(corners));
+    filled.push_back(number);
+  };
+  const auto close = [&](std::vector<solver::Vec2> corners, std::int32_t number) {
+    corners.push_back(corners.front());
+    shapes.lines.push_back(std::move(corners));
+    shapes.numbers.push_back(number);
+  };
+  std::int32_t number = 0;
+  for (const solver::Barrier& barrier : scene.barriers) {
+    const auto corners = barrier_outline(scene, barrier);
+    close(corners, ++number);
+    if (corners.size() == 6) {  // foot, crest, tip, upper tip, joint, downstream foot
+      fill({corners[0], corners[1], corners[4], corners[5]}, number);
+      fill({corners[1], corners[2], corners[3], corners[4]}, number);
+    } else {
+      fill(corners, number);
+    }
+  }
+  for (const solver::SolidPolygon& solid : scene.solids) {
+    close(solid.vertices, 0);
+    if (convex(solid.vertices)) fill(solid.vertices, 0);
+  }
+  shapes.numbers.insert(shapes.numbers.end(), filled.begin(), filled.end());
+  return shapes;
+}
+
+/// Where the metrics look (docs/metrics.md), as lines as tall as the event (H0): what each is
+/// stands in the header.
+VtkShapes gauges(const solver::Scene& scene, const solver::GaugeSettings& settings) {
+  const double tall = event_units(scene, settings).length;
+  VtkShapes shapes{.lines = {}, .polygons = {}, .name = "gauge", .numbers = {}};
+  const auto normal = [&](double x, std::int32_t number) {
+    shapes.lines.push_back({{x, 0.0}, {x, tall}});
+    shapes.numbers.push_back(number);
+  };
+  for (const solver::Barrier& barrier : scene.barriers) {
+    const solver::Vec2 up = stem_direction(scene, barrier);
+    const double reach = std::max(2.0 * barrier.height, tall);
+    shapes.lines.push_back({{barrier.foot_x, 0.0}, {barrier.foot_x + reach * up.x, reach * up.z}});
+    shapes.numbers.push_back(0);
+  }
+  const bool open = scene.barriers.empty();
+  const double base = settings.front_base_ratio * tall;
+  const double at = open ? scene.monitor_x : scene.barriers.front().foot_x;
+  const double end = open ? at + 0.5 * base : at - settings.front_clearance_ratio * tall;
+  normal(end - base, 1);
+  normal(end, 1);
+  normal(at - settings.energy_window_ratio * tall, 2);
+  normal(at + settings.energy_window_ratio * tall, 2);
+  if (open) {
+    normal(at - settings.depth_window_ratio * tall, 3);
+    normal(at, 3);
+  }
+  return shapes;
 }
 
 std::string frame_file(const solver::Frame& frame) {
@@ -86,12 +105,12 @@ std::string frame_file(const solver::Frame& frame) {
       "format=\"ascii\">{}</DataArray>\n</FieldData>\n",
       frame.time);
   const std::vector<std::int32_t> ids(frame.id.begin(), frame.id.end());
-  const std::string fields = data_array("velocity_m_s", 3, plane_vectors(frame.u, frame.w)) +
-                             data_array("pressure_pa", 1, scalars(frame.pressure)) +
-                             data_array("density_kg_m3", 1, scalars(frame.density)) +
-                             data_array("viscosity_pa_s", 1, scalars(frame.viscosity)) +
-                             data_array("id", 1, ids);
-  return point_cloud(frame.x, frame.z, time, fields);
+  const std::string fields = vtk_array("velocity_m_s", 3, vtk_vectors(frame.u, frame.w)) +
+                             vtk_array("pressure_pa", 1, scalars(frame.pressure)) +
+                             vtk_array("density_kg_m3", 1, scalars(frame.density)) +
+                             vtk_array("viscosity_pa_s", 1, scalars(frame.viscosity)) +
+                             vtk_array("id", 1, ids);
+  return vtk_points(frame.x, frame.z, time, fields);
 }
 
 void check(const solver::Frame& frame) {
@@ -112,8 +131,12 @@ void check(const solver::Frame& frame) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(std::filesystem::path directory, const std::string& case_name)
-    : directory_(std::move(directory)), stem_(records::file_name(case_name)) {
+FrameWriter::FrameWriter(std::filesystem::path directory, const std::string& case_name,
+                         solver::Scene scene, const solver::GaugeSettings& settings)
+    : directory_(std::move(directory)),
+      stem_(records::file_name(case_name)),
+      scene_(std::move(scene)),
+      gauges_(settings) {
   if (case_name.empty()) throw std::invalid_argument("frames need a case name");
   records::make_folder(directory_);
   collection_ = directory_ / (stem_ + ".pvd");
@@ -124,17 +147,23 @@ void FrameWriter::add(const solver::Frame& frame) {
   if (!times_.empty() && frame.time <= times_.back()) return;
   if (times_.empty()) {
     records::write_file_atomically(directory_ / (stem_ + "_walls.vtp"),
-                                   point_cloud(frame.wall_x, frame.wall_z, "", ""));
+                                   vtk_points(frame.wall_x, frame.wall_z, "", ""));
+    records::write_file_atomically(directory_ / (stem_ + "_outlines.vtp"),
+                                   vtk_shapes(outlines(scene_)));
+    records::write_file_atomically(directory_ / (stem_ + "_gauges.vtp"),
+                                   vtk_shapes(gauges(scene_, gauges_)));
   }
   records::write_file_atomically(directory_ / fmt::format("{}_{:06}.vtp", stem_, times_.size()),
                                  frame_file(frame));
   times_.push_back(frame.time);
 
-  std::string collection = file_header("Collection") + "<Collection>\n";
+  std::string collection = vtk_header("Collection") + "<Collection>\n";
   for (std::size_t k = 0; k < times_.size(); ++k) {
     collection += fmt::format(
         "<DataSet timestep=\"{0}\" part=\"0\" name=\"debris\" file=\"{1}_{2:06}.vtp\"/>\n"
-        "<DataSet timestep=\"{0}\" part=\"1\" name=\"walls\" file=\"{1}_walls.vtp\"/>\n",
+        "<DataSet timestep=\"{0}\" part=\"1\" name=\"walls\" file=\"{1}_walls.vtp\"/>\n"
+        "<DataSet timestep=\"{0}\" part=\"2\" name=\"outlines\" file=\"{1}_outlines.vtp\"/>\n"
+        "<DataSet timestep=\"{0}\" part=\"3\" name=\"gauges\" file=\"{1}_gauges.vtp\"/>\n",
         times_[k], stem_, k);
   }
   records::write_file_atomically(collection_, collection + "</Collection>\n</VTKFile>\n");

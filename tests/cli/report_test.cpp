@@ -69,6 +69,31 @@ TEST(Report, FilesOfAnEarlierRunDoNotStayBesideANewResult) {
   EXPECT_PRED_FORMAT2(IsSubstring, "--record", run["record_command"].get<std::string>());
 }
 
+TEST(Report, AdviceOnFewerDesignsGoesWhenAStudyGoesOn) {
+  const TemporaryFolder folder;
+  Json spec = tiny_search();
+  spec.erase("scenarios");
+  spec["recordings"] = "none";
+  folder.write("study.json", spec.dump());
+  ASSERT_EQ(run_program(folder.path(), {"optimize", "study.json", "--out", "out"}).exit_code, 0);
+  ASSERT_EQ(run_program(folder.path(), {"recommend", "out", "--no-confirm"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "out/recommendation.json"));
+  // Nothing new: what was advised holds.
+  ASSERT_EQ(run_program(folder.path(), {"optimize", "study.json", "--out", "out"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "out/recommendation.json"));
+  spec["method"]["max_evaluations"] = spec["method"]["max_evaluations"].get<int>() + 2;
+  folder.write("study.json", spec.dump());
+  const Outcome more = run_program(folder.path(), {"optimize", "study.json", "--out", "out"});
+  ASSERT_EQ(more.exit_code, 0) << more.err;
+  EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, "(0 by this run", more.out);
+  EXPECT_FALSE(fs::exists(folder / "out/recommendation.json"));
+  EXPECT_EQ(
+      line_count(folder / "out/designs.csv"),
+      1 + Json::parse(file_text(folder / "out/summary.json"))["evaluations"].get<std::size_t>());
+  EXPECT_EQ(page_data(folder / "out/report.html")["designs"]["id"].size(),
+            Json::parse(file_text(folder / "out/summary.json"))["evaluations"].get<std::size_t>());
+}
+
 TEST(Report, HoldsWhatTheFilesHoldAndNoStringEndsTheScript) {
   const TemporaryFolder folder;
   Json spec = tiny_case();
@@ -130,6 +155,79 @@ TEST(Report, AFolderWithoutResultsIsRefused) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_PRED_FORMAT2(IsSubstring, "holds no results of Parapet", outcome.err);
   EXPECT_FALSE(fs::exists(folder / "report.html"));
+}
+
+TEST(Report, TheTableOfDesignsHoldsWhatTheLogHolds) {
+  const TemporaryFolder folder;
+  Json spec = tiny_study();
+  spec["recordings"] = "none";
+  spec["constraints"][0]["name"] = "stem, \"tall\"";
+  folder.write("study.json", spec.dump());
+  ASSERT_EQ(run_program(folder.path(), {"optimize", "study.json", "--out", "out"}).exit_code, 0);
+  const std::string table = file_text(folder / "out/designs.csv");
+  EXPECT_TRUE(table.starts_with("id,stage,status,reason,feasible,front,spacing_m,")) << table;
+  for (const char* name :
+       {",variable.upstream_height_m,", ",objective.barrier_1_slam_force_n_per_m,",
+        ",\"constraint.stem, \"\"tall\"\"\",", ",metric.retention_efficiency,"}) {
+    EXPECT_PRED_FORMAT2(IsSubstring, name, table.substr(0, table.find('\n')));
+  }
+  const std::string log = file_text(folder / "out/evaluations.jsonl");
+  const Json first = Json::parse(log.substr(0, log.find('\n')));
+  const std::size_t begin = table.find('\n') + 1;
+  const std::string row = table.substr(begin, table.find('\n', begin) - begin);
+  EXPECT_TRUE(row.starts_with(first["id"].get<std::string>() + "," +
+                              first["stage"].get<std::string>() + ",ok,,"))
+      << row;
+  EXPECT_PRED_FORMAT2(IsSubstring, "," + first["metrics"]["retention_efficiency"].dump() + ",",
+                      row);
+}
+
+TEST(Report, SeveralStudiesComeIntoOneFront) {
+  const TemporaryFolder folder;
+  Json spec = tiny_study();
+  spec["recordings"] = "none";
+  spec["method"] = {{"algorithm", "SOBOL"}, {"max_evaluations", 4}, {"seed", 1}};
+  folder.write("a.json", spec.dump());
+  spec["case"]["reservoir"]["height_m"] = 0.12;
+  folder.write("b.json", spec.dump());
+  spec["objectives"] = Json::parse(R"([{"metric": "retention_efficiency", "goal": "maximize"}])");
+  folder.write("c.json", spec.dump());
+  for (const std::string name : {"a", "b", "c"}) {
+    const Outcome done = run_program(folder.path(), {"optimize", name + ".json", "--out", name});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+  }
+  const Outcome both = run_program(folder.path(), {"report", "a", "b", "--out", "both.html"});
+  ASSERT_EQ(both.exit_code, 0) << both.err;
+  const Json page = page_data(folder / "both.html");
+  EXPECT_EQ(page["kind"], "studies");
+  ASSERT_EQ(page["studies"].size(), 2U);
+  EXPECT_EQ(page["studies"][0]["label"], "tiny (a)") << "two studies of one name";
+  EXPECT_EQ(page["notes"].size(), 1U) << "the releases differ";
+  const Json& designs = page["designs"];
+  const std::size_t n = designs["id"].size();
+  EXPECT_EQ(designs["variables"]["study"].size(), n);
+  // The least force of all feasible designs is the joint front.
+  const Json& force = designs["objectives"]["barrier_1_slam_force_n_per_m"];
+  double least = 1e300;
+  for (std::size_t row = 0; row < n; ++row) {
+    if (designs["feasible"][row] && force[row].is_number()) {
+      least = std::min(least, force[row].get<double>());
+    }
+  }
+  int on_front = 0;
+  for (std::size_t row = 0; row < n; ++row) {
+    if (!designs["front"][row]) continue;
+    ++on_front;
+    EXPECT_EQ(force[row].get<double>(), least);
+  }
+  EXPECT_EQ(on_front, least < 1e300 ? 1 : 0);
+  EXPECT_EQ(page["studies"][0]["on_joint_front"].get<int>() +
+                page["studies"][1]["on_joint_front"].get<int>(),
+            on_front);
+  const Outcome other = run_program(folder.path(), {"report", "a", "c"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_PRED_FORMAT2(IsSubstring, "shares no objective with a", other.err);
+  EXPECT_FALSE(fs::exists(folder / "studies.html"));
 }
 
 }  // namespace

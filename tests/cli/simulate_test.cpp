@@ -40,6 +40,25 @@ TEST(Simulate, WritesResultAndSeries) {
   EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, "nan", series);
 }
 
+TEST(Simulate, PrintsASummaryAndWithAllEveryMetric) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  const Outcome brief = run_program(folder.path(), {"simulate", "case.json", "--out", "out"});
+  ASSERT_EQ(brief.exit_code, 0) << brief.err;
+  for (const char* words : {"  held back ", " % of the debris", "  load on barrier 1 ", " N/m"}) {
+    EXPECT_PRED_FORMAT2(IsSubstring, words, brief.out);
+  }
+  EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, "retention_efficiency", brief.out);
+  const Outcome whole =
+      run_program(folder.path(), {"simulate", "case.json", "--out", "out", "--all"});
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  const Json result = Json::parse(file_text(folder / "out/result.json"));
+  EXPECT_PRED_FORMAT2(IsSubstring, "  held back ", whole.out);
+  for (const auto& [key, value] : result["metrics"].items()) {
+    EXPECT_PRED_FORMAT2(IsSubstring, "  " + key + " ", whole.out);
+  }
+}
+
 TEST(Simulate, ThreadsChangeNothingButTheTiming) {
   const TemporaryFolder folder;
   Json spec = tiny_case();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "page_html.hpp"
 #include "parapet/designs/case_spec.hpp"
@@ -37,10 +38,17 @@ void add_metric_keys(Json& page, const Json& metrics) {
 /// The run of a result file: its scene and its series.
 void add_result_run(RunBlocks& runs, const std::string& name, const Json& result,
                     const fs::path& series) {
-  if (result.contains("case") && result["case"].is_object()) {
-    runs.add_scene(name, designs::parse_case(result["case"], name).scene);
+  if (!result.contains("case") || !result["case"].is_object()) return;
+  const designs::CaseSpec spec = designs::parse_case(result["case"], name);
+  runs.add_case(name, spec, [&](const std::string& key) -> std::optional<double> {
+    const Json& metrics = result.at("metrics");
+    const auto found = metrics.find(key);
+    if (found == metrics.end() || !found->is_number()) return std::nullopt;
+    return found->get<double>();
+  });
+  if (is_file(series)) {
+    runs.add_series(name, spec, series_from_csv(records::read_own_file(series)));
   }
-  if (is_file(series)) runs.add_series(name, series_from_csv(records::read_own_file(series)));
 }
 
 std::string simulation_page(const fs::path& folder, const PageOptions& options) {
@@ -180,19 +188,19 @@ std::string validation_page(const fs::path& folder, const std::vector<Json>& car
 
 }  // namespace
 
-std::string folder_page(const fs::path& folder, const PageOptions& options) {
+FolderReport folder_report(const fs::path& folder, const PageOptions& options) {
   try {
     if (is_file(folder / "study.json")) {
       study::LoadedStudy study = study::load_study_folder(folder);
-      return study_page(study, recommend(study, options.rule), options);
+      return study_report(study, recommend(study, options.rule), options);
     }
     if (format_of(folder / "result.json") == "parapet-result/1") {
-      return simulation_page(folder, options);
+      return {.page = simulation_page(folder, options), .designs_csv = {}};
     }
     if (const fs::path sweep = sweep_file(folder); !sweep.empty())
-      return sweep_page(sweep, options);
+      return {.page = sweep_page(sweep, options), .designs_csv = {}};
     if (const std::vector<Json> cards = scorecards(folder); !cards.empty()) {
-      return validation_page(folder, cards, options);
+      return {.page = validation_page(folder, cards, options), .designs_csv = {}};
     }
   } catch (const Json::exception& error) {
     designs::throw_misread(folder, error);
@@ -201,11 +209,14 @@ std::string folder_page(const fs::path& folder, const PageOptions& options) {
                               "a folder that simulate, table3, optimize or validate has written"}});
 }
 
-void write_page(const fs::path& folder, const std::string& page) {
-  records::write_file_atomically(folder / records::report_page, page);
-  if (is_file(folder / records::checksum_list)) {
-    records::update_checksums(folder, {records::report_page});
+void write_report(const fs::path& folder, const FolderReport& report) {
+  std::set<std::string> files{records::report_page};
+  records::write_file_atomically(folder / records::report_page, report.page);
+  if (!report.designs_csv.empty()) {
+    records::write_file_atomically(folder / records::designs_table, report.designs_csv);
+    files.insert(records::designs_table);
   }
+  if (is_file(folder / records::checksum_list)) records::update_checksums(folder, files);
 }
 
 }  // namespace parapet::reports

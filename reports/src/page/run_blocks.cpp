@@ -1,15 +1,18 @@
 #include "run_blocks.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/deflate.hpp"
 #include "parapet/records/flow_recording.hpp"
 #include "parapet/records/scene_json.hpp"
+#include "parapet/solver/gauge_settings.hpp"
 
 namespace parapet::reports {
 
@@ -71,15 +74,70 @@ Json series_from_csv(const std::string& text) {
   return series;
 }
 
-void RunBlocks::add_scene(const std::string& name, const solver::Scene& scene) {
-  page_["runs"][name]["scene"] = records::scene_json(scene);
+Json with_discharge(Json series, const designs::CaseSpec& spec) {
+  Json& columns = series["columns"];
+  Json& rows = series["rows"];
+  const std::size_t n = rows.size();
+  const double volume = spec.scene.reservoir_length * spec.scene.reservoir_height;
+  const double wanted =
+      spec.run.gauges.discharge_time_ratio * solver::event_units(spec.scene, spec.run.gauges).time;
+  for (std::size_t k = 1; k <= spec.scene.barriers.size(); ++k) {
+    const std::string barrier = "barrier_" + std::to_string(k);
+    const auto at = std::ranges::find(columns, Json(barrier + "_retention_efficiency"));
+    if (at == columns.end()) continue;
+    const auto column = static_cast<std::size_t>(at - columns.begin());
+    columns.push_back(barrier + "_overflow_discharge_m2_s");
+    std::size_t back = 0;
+    for (std::size_t row = 0; row < n; ++row) {
+      const auto time = [&](std::size_t r) { return rows[r][0].get<double>(); };
+      while (back + 1 < row && time(row) - time(back + 1) >= wanted) ++back;
+      const Json &now = rows[row][column], &before = rows[back][column];
+      const double span = time(row) - time(back);
+      rows[row].push_back(now.is_number() && before.is_number() && span > 0.0
+                              ? Json(volume * (before.get<double>() - now.get<double>()) / span)
+                              : Json(nullptr));
+    }
+  }
+  return series;
 }
 
-void RunBlocks::add_series(const std::string& name, const Json& series) {
+Json load_windows(const designs::CaseSpec& spec, const MetricLookup& metric) {
+  const solver::GaugeSettings& gauges = spec.run.gauges;
+  const double unit = solver::event_units(spec.scene, gauges).time;
+  Json windows = Json::array();
+  for (std::size_t k = 1; k <= spec.scene.barriers.size(); ++k) {
+    for (const auto& [name, length] :
+         {std::pair("design_force", gauges.design_load_time_ratio * unit),
+          std::pair("slam_force", gauges.slam_time_ratio * unit)}) {
+      const std::string stem = "barrier_" + std::to_string(k) + "_" + name;
+      const std::optional<double> value = metric(stem + "_n_per_m");
+      const std::optional<double> end = metric(stem + "_time_s");
+      if (!value || !end) continue;
+      windows.push_back({{"barrier", k},
+                         {"key", stem + "_n_per_m"},
+                         {"value", *value},
+                         {"from_s", *end - length},
+                         {"to_s", *end}});
+    }
+  }
+  return windows;
+}
+
+void RunBlocks::add_case(const std::string& name, const designs::CaseSpec& spec,
+                         const MetricLookup& metric) {
+  page_["runs"][name]["scene"] = records::scene_json(spec.scene);
+  Json windows = load_windows(spec, metric);
+  for (const Json& one : windows) add_key(page_, one.at("key").get<std::string>());
+  if (!windows.empty()) page_["runs"][name]["windows"] = std::move(windows);
+}
+
+void RunBlocks::add_series(const std::string& name, const designs::CaseSpec& spec,
+                           const Json& series) {
+  const Json whole = with_discharge(series, spec);
   const std::string id = "series-" + std::to_string(blocks_.size());
-  blocks_.push_back(page_block(id, series_bytes(series)));
+  blocks_.push_back(page_block(id, series_bytes(whole)));
   page_["runs"][name]["series"] = id;
-  for (const Json& column : series.at("columns")) add_key(page_, column.get<std::string>());
+  for (const Json& column : whole.at("columns")) add_key(page_, column.get<std::string>());
 }
 
 void RunBlocks::add_recording(const std::string& name, const std::filesystem::path& file,

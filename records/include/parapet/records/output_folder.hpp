@@ -31,6 +31,14 @@ constexpr const char* simulation_recording = "recording.flow";
 /// The page of a folder.
 constexpr const char* report_page = "report.html";
 
+/// The table of a study's designs beside it.
+constexpr const char* designs_table = "designs.csv";
+
+/// Removes what was made of a study or sweep that now goes on: its page, its table
+/// and its recommendation.
+/// @throws FileError
+void remove_earlier_advice(const std::filesystem::path& folder);
+
 /// Removes what an earlier simulation left in its folder: result, series, picture, recording, page
 /// and frames.
 /// @throws FileError

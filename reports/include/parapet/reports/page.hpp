@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "parapet/records/program_info.hpp"
 #include "parapet/reports/recommendation.hpp"
@@ -23,17 +24,30 @@ struct PageOptions {
 /// Most bytes of recordings in a page, before they are written as text.
 constexpr std::size_t most_recorded_bytes = 9'500'000;
 
-/// The page of a study.
-std::string study_page(const study::LoadedStudy& study, const Recommendation& recommendation,
-                       const PageOptions& options);
+/// What is made of a folder of results for people and for other programs.
+struct FolderReport {
+  std::string page;
+  std::string designs_csv;  ///< of a study: every design, a row each (docs/formats.md); else empty
+};
 
-/// The page of a folder, whatever it holds: a study, a simulation, a sweep or a validation. Nothing
-/// is simulated or written.
+/// The report of a study.
+FolderReport study_report(const study::LoadedStudy& study, const Recommendation& recommendation,
+                          const PageOptions& options);
+
+/// The report of a folder, whatever it holds: a study, a simulation, a sweep or a validation.
+/// Nothing is simulated or written.
 /// @throws designs::InputError when it holds none of these, or what it holds is damaged
-std::string folder_page(const std::filesystem::path& folder, const PageOptions& options);
+FolderReport folder_report(const std::filesystem::path& folder, const PageOptions& options);
 
-/// Writes folder/report.html and enters it into the folder's checksums, where there are some.
-/// @throws as folder_page, and records::FileError
-void write_page(const std::filesystem::path& folder, const std::string& page);
+/// The page of several studies: one front of all their designs by the objectives that they share,
+/// and what makes them hard to compare.
+/// @throws designs::InputError when a folder holds no study, or they share no objective
+std::string studies_page(const std::vector<std::filesystem::path>& folders,
+                         const PageOptions& options);
+
+/// Writes folder/report.html, and of a study designs.csv, and enters them into the folder's
+/// checksums, where there are some.
+/// @throws records::FileError
+void write_report(const std::filesystem::path& folder, const FolderReport& report);
 
 }  // namespace parapet::reports
