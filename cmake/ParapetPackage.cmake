@@ -1,4 +1,5 @@
-# cpack: Debian packages of the program (parapet) and of the libraries (libparapet-dev). The preset
+# cpack: Debian packages of the program (parapet), of the libraries (libparapet-dev) and, where it is
+# built, of the Python package (python3-parapet). The preset
 # `deb` builds what they hold and nothing else:
 #
 #   cmake --preset deb && cmake --build --preset deb && cpack --config build-deb/CPackConfig.cmake
@@ -18,6 +19,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
 set(CPACK_COMPONENTS_ALL program development)
+if(PARAPET_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -59,5 +63,27 @@ simulation.
 .
 This package holds the static libraries, the headers, a CMake package
 that find_package(parapet) finds, and examples.")
+
+# Its module holds the libraries and is of one minor version of Python.
+if(PARAPET_PYTHON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(python_versions "${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-parapet)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= ${python_versions}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-distributed")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-pandas")
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+"debris flow against barriers, for Python and clusters
+Parapet simulates a Herschel-Bulkley debris flow against rigid barriers
+by delta-plus-SPH in two dimensions, and lets an optimiser drive the
+simulation.
+.
+This package holds the module parapet: cases, simulations and studies
+as Python objects, the search by ask and tell, and studies whose
+simulations run on the workers of a Dask cluster.")
+endif()
 
 include(CPack)

@@ -2,11 +2,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "common_options.hpp"
+#include "evaluate_options.hpp"
 #include "interrupt.hpp"
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/study_folder.hpp"
 #include "parapet/study/design_run.hpp"
+#include "parapet/study/external_record.hpp"
 #include "parapet/study/local_service.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
@@ -16,12 +17,6 @@ namespace parapet::cli {
 namespace {
 
 using records::EvaluationRecord;
-
-struct EvaluateOptions : CommonOptions {
-  std::string spec;
-  std::string design;
-  std::string log_folder;
-};
 
 /// The text of --design and what to call it in messages.
 std::pair<std::string, std::string> design_source(const std::string& argument) {
@@ -65,32 +60,17 @@ std::optional<EvaluationRecord> find_logged(const Session& session, const Evalua
 /// Gives the record its id; the one already there when another process was faster.
 EvaluationRecord store(const Session& session, const EvaluateOptions& options,
                        const designs::StudySpec& study, const study::DesignRun& run) {
-  EvaluationRecord record = run.record();
-  record.id = records::evaluation_id(1);
-  record.stage = "external";
-  records::set_program(record, session.program);
-  if (options.log_folder.empty()) return record;
+  if (options.log_folder.empty()) return study::external_record(run, session.program);
   records::StudyFolder folder(options.log_folder, study, session.program,
                               {log_patience, options.mix_revisions});
-  if (const auto* known = folder.log().find(record.design, record.spacing)) return *known;
-  int number = static_cast<int>(folder.log().records().size()) + 1;
-  while (!folder.id_is_free(records::evaluation_id(number), record.design, record.spacing)) {
-    ++number;
-  }
-  record.id = records::evaluation_id(number);
-  const designs::Json provenance = records::study_provenance(study, session.program);
-  for (std::size_t event = 0; event < run.size(); ++event) {
-    const designs::Scenario* scenario = run.scenario(event);
-    if (scenario == nullptr) continue;
-    folder.store_simulation(record.id, run.design(), run.spacing(), *scenario,
-                            run.simulation(event).value(), provenance);
-  }
-  folder.store(record, run.report(session.program));
+  EvaluationRecord record =
+      study::log_external(folder, study, run, session.program, !options.no_report);
   folder.close_after(record);
   return record;
 }
 
 int evaluate_command(const Session& session, const EvaluateOptions& options) {
+  if (options.stream) return evaluate_stream(session, options);
   const designs::StudySpec study = read_study(options.spec, options.spacing_mm);
   const designs::Design design = read_design(study, options.design);
   std::optional<EvaluationRecord> record = find_logged(session, options, study, design);
@@ -122,28 +102,44 @@ void add_evaluate(CLI::App& app, Session& session) {
       app.add_subcommand("evaluate", "Evaluate one design of a study, for other optimisers");
   auto options = std::make_shared<EvaluateOptions>();
   verb->add_option("SPEC", options->spec, "Study file, or the name of a shipped one")->required();
-  verb->add_option("--design", options->design,
-                   "The design: JSON, @FILE, or - for standard input; a value for every active "
-                   "variable, an option's name for a choice")
-      ->required()
-      ->type_name("JSON");
+  CLI::Option* design =
+      verb->add_option("--design", options->design,
+                       "The design: JSON, @FILE, or - for standard input; a value for every active "
+                       "variable, an option's name for a choice")
+          ->type_name("JSON");
+  verb->add_flag("--stdin-jsonl", options->stream,
+                 "Many designs: one on each line of standard input, one record on each line of "
+                 "standard output, as each ends")
+      ->excludes(design);
   verb->add_option("--log", options->log_folder,
                    "Study folder whose log answers for designs it holds and takes new ones")
       ->type_name("DIR");
+  verb->add_flag("--no-report", options->no_report,
+                 "With --log: no evaluations/ID.json (series and details), the log's lines alone");
   add_mix_revisions(*verb, *options);
   add_spacing(*verb, *options);
   add_jobs(*verb, *options,
-           "Scenarios simulated side by side; where there are fewer, threads of each");
+           "Simulations side by side; of one design alone the scenarios, and where there are "
+           "fewer, threads of each");
   verb->footer(
       R"(Prints one JSON object on standard output (the line that the log of a study has) and nothing else;
 messages go to standard error. A failed simulation is reported in the object and by exit code 1. A
 design that violates the study's constraints is evaluated all the same.
 
+With --stdin-jsonl a line is a design, or {"design": {...}, "id": ..., "scenario": NAME, "spacing_mm":
+X} with the last three as wanted: the id comes back in the record (else the line's number), a scenario
+makes that event the only one. A line that is wrong gets a record with "status": "error" and its
+issues. The verb ends at the end of the input, with exit code 0 when every line was answered.
+
 Examples:
   parapet evaluate my_study.json --design '{"deflector_angle_deg": 45}'
   parapet evaluate my_study.json --design @design.json --log runs/outside
-  echo '{"deflector_angle_deg": 45}' | parapet evaluate my_study.json --design - --quiet)");
+  echo '{"deflector_angle_deg": 45}' | parapet evaluate my_study.json --design - --quiet
+  parapet evaluate my_study.json --stdin-jsonl --jobs 4 < designs.jsonl > records.jsonl)");
   verb->callback([options, &session] {
+    if (options->design.empty() && !options->stream) {
+      throw CLI::RequiredError("--design or --stdin-jsonl");
+    }
     session.command = [options, &session] { return evaluate_command(session, *options); };
   });
 }

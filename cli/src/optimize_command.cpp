@@ -108,6 +108,7 @@ study::StudySummary run_with_progress(const Session& session, const OptimizeOpti
   run.program = session.program;
   run.mix_physics = options.mix_revisions;
   run.hooks = progress.hooks();
+  run.service = session.service;
   return study::run_study(study, run);
 }
 

@@ -153,9 +153,11 @@ int run_guarded(Session& session, int argc, char** argv, std::initializer_list<A
 
 }  // namespace
 
-int run_program(int argc, char** argv, std::initializer_list<AddVerb> verbs) {
+int run_program(int argc, char** argv, std::initializer_list<AddVerb> verbs,
+                study::ServiceFactory service) {
   try {
     Session session;
+    session.service = std::move(service);
     session.program = program_info();
     session.log = make_logger();
     session.out = std::make_shared<StandardOutput>();

@@ -86,6 +86,7 @@ study::ConfirmOutcome confirm(const Session& session, const RecommendOptions& op
   confirm.repeats = options.repeats;
   confirm.jobs = options.jobs;
   confirm.program = session.program;
+  confirm.service = session.service;
   confirm.on_pick = [&](const study::Pick& pick, std::size_t runs) {
     if (runs == 0) return;
     session.log->info("confirming design {}: {} runs", pick.id, runs);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "parapet/records/provenance.hpp"
+#include "parapet/study/local_service.hpp"
 #include "standard_streams.hpp"
 
 namespace parapet::cli {
@@ -24,6 +25,7 @@ struct Session {
   std::shared_ptr<StandardOutput> out;  ///< what the verb answers
   std::vector<std::string> arguments;   ///< as given, the program's name first
   bool quiet = false;                   ///< no progress, only warnings and errors
+  study::ServiceFactory service = study::local_service();  ///< who simulates the designs of a study
   std::function<int()> command;         ///< of the verb that was chosen; gives the exit code
 };
 

@@ -1,6 +1,7 @@
 #include "standard_streams.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <array>
@@ -55,6 +56,35 @@ std::string read_standard_input() {
     if (size > 0) {
       text.append(part.data(), static_cast<std::size_t>(size));
     } else if (errno != EINTR) {
+      records::throw_file_error("read", "standard input", errno);
+    }
+  }
+}
+
+InputLines::State InputLines::next(std::string& line) {
+  std::size_t searched = 0;
+  for (;;) {
+    const std::size_t end = waiting_.find('\n', searched);
+    if (end != std::string::npos || (ended_ && !waiting_.empty())) {
+      line = waiting_.substr(0, end);
+      waiting_.erase(0, end == std::string::npos ? end : end + 1);
+      ++number_;
+      return State::line;
+    }
+    if (ended_) return State::end;
+    searched = waiting_.size();
+    pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+    constexpr int look_up_ms = 100;
+    const int ready = ::poll(&input, 1, look_up_ms);
+    if (cancelled_()) return State::cancelled;
+    if (ready <= 0) continue;
+    std::array<char, 65536> part{};
+    const ssize_t size = ::read(STDIN_FILENO, part.data(), part.size());
+    if (size > 0) {
+      waiting_.append(part.data(), static_cast<std::size_t>(size));
+    } else if (size == 0) {
+      ended_ = true;
+    } else if (errno != EINTR && errno != EAGAIN) {
       records::throw_file_error("read", "standard input", errno);
     }
   }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,13 +32,39 @@ class StandardOutput {
   /// 0 for nothing.
   int finish();
 
+  /// The errno value of the first write that failed so far, 0 for none. From any thread.
+  int error() const { return error_; }
+
  private:
   bool used_ = false;
-  int error_ = 0;
+  std::atomic<int> error_ = 0;
 };
 
 /// All of standard input.
 /// @throws records::FileError when it cannot be read, also when it is closed
 std::string read_standard_input();
+
+/// Lines of standard input as they come.
+class InputLines {
+ public:
+  /// What asking for a line came to.
+  enum class State { line, end, cancelled };
+
+  /// @param cancelled polled while there is nothing to read
+  explicit InputLines(std::function<bool()> cancelled) : cancelled_(std::move(cancelled)) {}
+
+  /// The next line without its end; what stands after the last line end is a line too.
+  /// @throws records::FileError when it cannot be read, also when it is closed
+  State next(std::string& line);
+
+  /// Number of the line that came last, counted from 1.
+  std::size_t number() const { return number_; }
+
+ private:
+  std::function<bool()> cancelled_;
+  std::string waiting_;  // read and not given yet
+  bool ended_ = false;
+  std::size_t number_ = 0;
+};
 
 }  // namespace parapet::cli

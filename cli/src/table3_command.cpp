@@ -34,6 +34,7 @@ study::SweepOutcome run_rows(const Session& session, const Table3Options& option
   run.jobs = options.jobs;
   run.only = options.only;
   run.program = session.program;
+  run.service = session.service;
   run.hooks.cancelled = interrupted;
   run.hooks.on_simulation = [&](const std::string& id, const solver::Progress& progress) {
     monitor.running(id, progress);

@@ -245,8 +245,10 @@ void StudyFolder::begin(const BegunWith& with) {
 }
 
 void StudyFolder::store(const EvaluationRecord& record, const Json& report) {
-  write_file_atomically(folder_ / "evaluations" / (record.id + ".json"),
-                        json_text(evaluation_report(record, report)));
+  if (!report.is_null()) {
+    write_file_atomically(folder_ / "evaluations" / (record.id + ".json"),
+                          json_text(evaluation_report(record, report)));
+  }
   log_.append(record);
 }
 
@@ -259,9 +261,12 @@ void StudyFolder::close() const {
 }
 
 void StudyFolder::close_after(const EvaluationRecord& record) const {
-  std::set<std::string> files{"study.json", "evaluations/" + record.id + ".json"};
+  std::set<std::string> files{"study.json"};
+  const std::string report = "evaluations/" + record.id + ".json";
+  if (std::filesystem::exists(folder_ / report)) files.insert(report);
   for (const ScenarioRecord& scenario : record.scenarios) {
-    files.insert("evaluations/" + file_name_of(record.id, scenario.name));
+    const std::string file = "evaluations/" + file_name_of(record.id, scenario.name);
+    if (std::filesystem::exists(folder_ / file)) files.insert(file);
   }
   update_checksums(folder_, files);
 }

@@ -1,9 +1,9 @@
 #include "parapet/study/sweep_run.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
-#include <mutex>
+#include <optional>
+#include <utility>
 
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/checksum_list.hpp"
@@ -13,9 +13,9 @@
 #include "parapet/records/output_folder.hpp"
 #include "parapet/records/result_json.hpp"
 #include "parapet/records/sweep_row_file.hpp"
-#include "parapet/study/side_by_side.hpp"
 #include "parapet/study/sweep_result.hpp"
 #include "parapet/study/thread_count.hpp"
+#include "simulate_in_order.hpp"
 
 namespace parapet::study {
 namespace {
@@ -70,10 +70,7 @@ class SweepRun {
     }
     checksums.begin();
     write_table();
-    run_side_by_side(
-        waiting_.size(), options_.jobs,
-        [this](std::size_t k, int threads) { simulate(*waiting_[k], threads); },
-        [this] { return stopped(); });
+    simulate_rows();
     checksums.write();
     SweepOutcome outcome;
     outcome.interrupted = cancelled_;
@@ -130,24 +127,31 @@ class SweepRun {
     });
   }
 
-  void simulate(const designs::SweepRow& row, int threads) {
-    solver::RunOptions run = row.spec.run;
-    run.threads = worthwhile_threads(row.spec, threads);
-    solver::Callbacks callbacks;
-    callbacks.on_progress = [&](const solver::Progress& progress) {
-      if (options_.hooks.on_simulation) options_.hooks.on_simulation(row.id, progress);
-      return !stopped();
-    };
-    const solver::Result result =
-        solver::simulate(row.spec.scene, row.spec.numerics, run, callbacks, &starts_);
-    if (result.status == solver::Status::cancelled) {
+  void simulate_rows() {
+    if (waiting_.empty()) return;
+    const auto service = options_.service(options_.jobs, service_hooks(options_.hooks));
+    const int threads = threads_each(waiting_.size(), service->places());
+    simulate_in_order(
+        *service, waiting_.size(),
+        [&](std::size_t k) {
+          SimulationTask task = task_from_case(waiting_[k]->spec, waiting_[k]->id);
+          task.threads = threads;
+          return std::optional(std::move(task));
+        },
+        [this](std::size_t k, const records::Simulation& simulation) {
+          keep(*waiting_[k], simulation);
+        },
+        [this] { return stopped(); });
+  }
+
+  void keep(const designs::SweepRow& row, const records::Simulation& simulation) {
+    if (simulation.cancelled) {
       cancelled_ = true;
       return;
     }
-    const std::scoped_lock guard(mutex_);
-    records::write_finished_row(rows_folder_, row, result, options_.program, run.threads);
+    records::write_finished_row(rows_folder_, row, simulation, options_.program);
     const auto [place, added] =
-        finished_.insert_or_assign(row.id, records::make_sweep_row_result(row, result));
+        finished_.insert_or_assign(row.id, records::make_sweep_row_result(row, simulation));
     write_table();
     if (options_.on_row) options_.on_row(place->second, false);
   }
@@ -174,9 +178,7 @@ class SweepRun {
   std::filesystem::path rows_folder_;
   std::vector<const designs::SweepRow*> waiting_;
   RowResults finished_;
-  solver::StartStates starts_;
-  std::mutex mutex_;  // guards finished_ and the files while workers run
-  std::atomic<bool> cancelled_ = false;
+  bool cancelled_ = false;
 };
 
 }  // namespace

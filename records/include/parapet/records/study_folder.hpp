@@ -77,6 +77,7 @@ class StudyFolder {
   const BegunWith& begun_with() const { return begun_with_; }
 
   /// Writes evaluations/ID.json, then the log's line; both are on disk when it returns.
+  /// @param report null leaves evaluations/ID.json out
   /// @throws FileError
   void store(const EvaluationRecord& record, const designs::Json& report);
 

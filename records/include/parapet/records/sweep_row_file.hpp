@@ -6,8 +6,8 @@
 
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/records/provenance.hpp"
+#include "parapet/records/simulation.hpp"
 #include "parapet/records/sweep_row.hpp"
-#include "parapet/solver/result.hpp"
 
 namespace parapet::records {
 
@@ -21,6 +21,9 @@ std::optional<SweepRowResult> read_finished_row(const std::filesystem::path& fol
 /// Writes the series, then the result.
 /// @throws FileError
 void write_finished_row(const std::filesystem::path& folder, const designs::SweepRow& row,
-                        const solver::Result& result, const ProgramInfo& program, int threads);
+                        const Simulation& simulation, const ProgramInfo& program);
+
+/// What a row came to, from its simulation as it may have come from another machine.
+SweepRowResult make_sweep_row_result(const designs::SweepRow& row, const Simulation& simulation);
 
 }  // namespace parapet::records

@@ -9,6 +9,7 @@
 #include "parapet/records/provenance.hpp"
 #include "parapet/records/sweep_row.hpp"
 #include "parapet/study/hooks.hpp"
+#include "parapet/study/local_service.hpp"
 
 namespace parapet::study {
 
@@ -21,6 +22,7 @@ struct SweepRunOptions {
   Hooks hooks;  ///< on_evaluated is not called
   /// A row is finished and on disk; `kept`: it was before, and was not run again.
   std::function<void(const records::SweepRowResult& row, bool kept)> on_row;
+  ServiceFactory service = local_service();  ///< who simulates
 };
 
 /// What a sweep came to.

@@ -1,11 +1,11 @@
-#include "spec_files.hpp"
+#include "parapet/study/spec_files.hpp"
 
 #include <filesystem>
 #include <utility>
 
 #include "parapet/study/expected_cost.hpp"
 
-namespace parapet::cli {
+namespace parapet::study {
 namespace {
 
 using designs::InputError;
@@ -53,13 +53,13 @@ SpecDocument read_spec(const std::string& argument) {
 }
 
 void require_affordable(const designs::CaseSpec& spec, const std::string& file) {
-  auto issues = study::cost_issues(study::case_cost(spec), study::machine_memory(), file, "");
+  auto issues = cost_issues(case_cost(spec), machine_memory(), file, "");
   if (!issues.empty()) throw InputError(std::move(issues));
 }
 
 void require_affordable(const designs::StudySpec& study, const std::string& file) {
-  for (const study::CaseCost& level : study::study_cost(study).levels) {
-    auto issues = study::cost_issues(level, study::machine_memory(), file, "/case");
+  for (const CaseCost& level : study_cost(study).levels) {
+    auto issues = cost_issues(level, machine_memory(), file, "/case");
     if (issues.empty()) continue;
     const bool by_spacing = issues.front().pointer == "/case/numerics/spacing_m";
     if (by_spacing && study.fidelity.size() > 1) issues.front().pointer = "/fidelity/spacings_m";
@@ -75,7 +75,10 @@ void require_affordable(const designs::SweepSpec& sweep, const std::string& file
 }
 
 designs::CaseSpec read_case(const std::string& argument, std::optional<double> spacing_mm) {
-  const SpecDocument document = read_spec(argument);
+  return case_of(read_spec(argument), spacing_mm);
+}
+
+designs::CaseSpec case_of(const SpecDocument& document, std::optional<double> spacing_mm) {
   require_format(document, "parapet-case/1", "; a study goes to parapet optimize");
   designs::CaseSpec spec = designs::parse_case(document.json, document.file);
   std::string source = document.file;
@@ -90,7 +93,10 @@ designs::CaseSpec read_case(const std::string& argument, std::optional<double> s
 }
 
 designs::StudySpec read_study(const std::string& argument, std::optional<double> spacing_mm) {
-  const SpecDocument document = read_spec(argument);
+  return study_of(read_spec(argument), spacing_mm);
+}
+
+designs::StudySpec study_of(const SpecDocument& document, std::optional<double> spacing_mm) {
   require_format(document, "parapet-study/1", "; a case goes to parapet simulate");
   designs::StudySpec study = designs::parse_study(document.json, document.file);
   if (!spacing_mm) {
@@ -124,4 +130,4 @@ designs::SweepSpec read_sweep(const std::string& argument, std::optional<double>
   return sweep;
 }
 
-}  // namespace parapet::cli
+}  // namespace parapet::study
