@@ -67,8 +67,9 @@ def main(workers: str = "200", seconds: str = "10", algorithm: str = "BAYESIAN",
     }
     outcome = worker.run_task(json.dumps(task))
     designs = 5 * count // n_events  # about five rounds of all workers
+    objectives = [one for one in study.spec["objectives"] if "launch" not in one.get("metric", "")]
     study = study.changed(
-        name="asker", recordings="none", method={"algorithm": algorithm, "max_evaluations": designs},
+        name="asker", recordings="none", objectives=objectives, method={"algorithm": algorithm, "max_evaluations": designs},
         **({"scenarios": scenarios} if n_events > 1 else {}),
     )
     local = LocalCluster(n_workers=4, threads_per_worker=count // 4, dashboard_address=None)

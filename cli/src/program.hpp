@@ -12,7 +12,8 @@ using AddVerb = void (*)(CLI::App& app, Session& session);
 
 /// Runs the verb that the arguments name. Never throws: whatever goes wrong becomes a message on
 /// standard error and an exit code.
-/// @param service who simulates the designs of studies, the rows of sweeps and what confirms a design
+/// @param service who simulates the designs of studies, the rows of sweeps and what confirms a
+/// design
 int run_program(int argc, char** argv, std::initializer_list<AddVerb> verbs,
                 study::ServiceFactory service = study::local_service());
 

@@ -26,7 +26,7 @@ struct Session {
   std::vector<std::string> arguments;   ///< as given, the program's name first
   bool quiet = false;                   ///< no progress, only warnings and errors
   study::ServiceFactory service = study::local_service();  ///< who simulates the designs of a study
-  std::function<int()> command;         ///< of the verb that was chosen; gives the exit code
+  std::function<int()> command;  ///< of the verb that was chosen; gives the exit code
 };
 
 // Each adds its verb to the program; `session` must outlive `app`.

@@ -1,8 +1,8 @@
 """Calibration: yield stress and consistency from an observed front, and a study that carries the spread.
 
 The observation is where the front was at some times (observed_front.csv: time [s], place along the bed
-[m]). The misfit chi^2 of simulations at points spread over the ranges is fitted by a quadratic in
-ln(tau_y) and ln(K); what is left of it is the posterior of the two, nearly normal in these logarithms.
+[m]). Simulations at points spread over the ranges give the place at each of these times as a quadratic in
+ln(tau_y) and ln(K); its misfit to the observation gives the posterior of the two over the ranges.
 Its sigma points - five pairs whose weighted mean and covariance are those of the posterior (Julier and
 Uhlmann, Proc. IEEE 92 (2004) 401-422) - become the scenarios of a study.
 
@@ -22,10 +22,12 @@ import parapet as pp
 
 Floats = NDArray[np.float64]
 
-YIELD_STRESS_PA = (40.0, 160.0)
-CONSISTENCY_PA_SN = (2.0, 9.0)
+YIELD_STRESS_PA = (30.0, 270.0)
+CONSISTENCY_PA_SN = (1.5, 13.5)
 SIGMA_M = 0.02
 """Of the observation and of the model together, as a standard deviation of the front's place [m]."""
+
+SPREAD = "times or over {:.2f} (one standard deviation)"
 
 
 def front_at(times_s: Floats, yield_stress_pa: float, consistency_pa_sn: float, spacing_m: float) -> Floats:
@@ -46,12 +48,18 @@ def quadratic(theta: Floats) -> Floats:
     return np.stack([np.ones_like(a), a, b, a * a, a * b, b * b], axis=1)
 
 
-def posterior(theta: Floats, chi2: Floats) -> tuple[Floats, Floats]:
-    """Mean [2] and covariance [2, 2] of theta with the density exp(-chi^2 / 2) over the box of theta."""
-    fit = np.linalg.lstsq(quadratic(theta), chi2, rcond=None)[0]
+def posterior(theta: Floats, simulated_m: Floats, observed_m: Floats) -> tuple[Floats, Floats]:
+    """Mean [2] and covariance [2, 2] of theta over the box of the points that were simulated.
+
+    Args:
+        theta: [n_points, 2]; simulated_m: [n_points, n_times]; observed_m: [n_times].
+    """
+    fit = np.linalg.lstsq(quadratic(theta), simulated_m, rcond=None)[0]
+    missed = simulated_m - quadratic(theta) @ fit  # by the quadratic: it counts as noise too
+    sigma = np.hypot(SIGMA_M, missed.std(axis=0, ddof=6))
     axes = [np.linspace(theta[:, k].min(), theta[:, k].max(), 121) for k in range(2)]
     grid = np.stack([g.ravel() for g in np.meshgrid(*axes)], axis=1)
-    level = quadratic(grid) @ fit
+    level = np.sum(((quadratic(grid) @ fit - observed_m) / sigma) ** 2, axis=1)
     weight = np.exp(-0.5 * (level - level.min()))
     weight /= weight.sum()
     mean = weight @ grid
@@ -71,15 +79,12 @@ def main(spacing_mm: float = 20.0, points: float = 16) -> pp.Study:
     times_s, places_m = np.loadtxt(observed, delimiter=",", skiprows=1).T
     low, high = np.log([YIELD_STRESS_PA, CONSISTENCY_PA_SN]).T
     theta = qmc.scale(qmc.Sobol(2, seed=1).random(int(points)), low, high)
-    chi2 = []
-    for tau, k in np.exp(theta):
-        residual = front_at(times_s, float(tau), float(k), spacing_mm / 1000.0) - places_m
-        chi2.append(float(np.sum((residual / SIGMA_M) ** 2)))
-    mean, covariance = posterior(theta, np.array(chi2))
+    simulated_m = [front_at(times_s, float(t), float(k), spacing_mm / 1000.0) for t, k in np.exp(theta)]
+    mean, covariance = posterior(theta, np.array(simulated_m), places_m)
     tau, k = np.exp(mean)
     spread = np.sqrt(np.diag(covariance))
-    print(f"tau_y {tau:.3g} Pa, times or over {np.exp(spread[0]):.2f} (one standard deviation)")
-    print(f"K {k:.3g} Pa s^n, times or over {np.exp(spread[1]):.2f}")
+    print(f"tau_y {tau:.3g} Pa, {SPREAD.format(np.exp(spread[0]))}")
+    print(f"K {k:.3g} Pa s^n, {SPREAD.format(np.exp(spread[1]))}")
     pairs, weights = sigma_points(mean, covariance)
     scenarios = []
     for number, (pair, weight) in enumerate(zip(np.exp(pairs), weights), 1):

@@ -9,7 +9,6 @@ objectives) is what it minimises, and a design that breaks a constraint gets a p
 from __future__ import annotations
 
 import sys
-from typing import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +18,9 @@ import parapet as pp
 
 FAILED = 1e3
 """Worse than any design."""
+
+PENALTY = 10.0
+"""Worse than any feasible design, and worse the farther beyond its limits a design is."""
 
 
 def judge(study: pp.Study, x: NDArray[np.float64]) -> list[float]:
@@ -34,25 +36,32 @@ def judge(study: pp.Study, x: NDArray[np.float64]) -> list[float]:
             values.append(FAILED * (1.0 + excess))
             continue
         record = next(records)
-        values.append(FAILED if record.scalar is None or not record.feasible else record.scalar)
+        margins = [one["margin"] for one in record["constraints"] if not one["satisfied"]]
+        short = sum(-margin for margin in margins if margin is not None)
+        if record.scalar is None:
+            values.append(FAILED)
+        else:
+            values.append(record.scalar if record.feasible else record.scalar + PENALTY * (1.0 + short))
     return values
 
 
-def main(spacing_mm: float = 20.0, generations: float = 3) -> pp.Record:
+def main(spacing_mm: float = 15.0, generations: float = 3) -> pp.Record:
     study = pp.Study("quickstart", spacing_m=spacing_mm / 1000.0)
     bounds = [(variable.lower, variable.upper) for variable in study.variables]
+    first = study.spec["method"]["starts"][0]  # a design that people have thought of
     result = differential_evolution(
         lambda x: np.array(judge(study, np.asarray(x))),
         bounds,
         maxiter=int(generations),
         popsize=4,
         seed=1,
+        x0=[first[variable.name] for variable in study.variables],
         polish=False,
         vectorized=True,
         updating="deferred",
     )
-    best: Iterable[pp.Record] = (r for r in study.records if r.ok and r.feasible)
-    record = min(best, key=lambda r: float("inf") if r.scalar is None else r.scalar)
+    feasible = [r for r in study.records if r.ok and r.feasible]
+    record = min(feasible, key=lambda r: float("inf") if r.scalar is None else r.scalar)
     assert record.scalar == result.fun
     print(f"{len(study.records)} designs; best {record!r}")
     for name, value in record["design"].items():

@@ -1,6 +1,7 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
+#include <exception>
 #include <map>
 #include <memory>
 #include <optional>
@@ -72,6 +73,23 @@ class PythonService : public study::SimulationService {
   }
 
   std::optional<EndedSimulation> fetch(double timeout_s) {
+    if (failure_) return fail_one();
+    try {
+      return ask(timeout_s);
+    } catch (...) {
+      failure_ = std::current_exception();
+      return fail_one();
+    }
+  }
+
+  /// When the service itself has failed, so has all that was handed in.
+  EndedSimulation fail_one() {
+    EndedSimulation failed{.ticket = open_.begin()->first, .simulation = {}, .failure = failure_};
+    open_.erase(open_.begin());
+    return failed;
+  }
+
+  std::optional<EndedSimulation> ask(double timeout_s) {
     std::optional<EndedSimulation> ended;
     std::string outcome;
     call([&] {
@@ -111,6 +129,7 @@ class PythonService : public study::SimulationService {
   std::map<std::size_t, std::string> open_;  // labels by ticket
   std::size_t submitted_ = 0;
   bool dropping_ = false;
+  std::exception_ptr failure_;  // of the service
 };
 
 /// @param make_service called with the number of places. None: the program simulates itself.

@@ -132,8 +132,8 @@ py::dict answer_of(const CaseSpec& spec, const Run& run, int threads) {
                                  raw(frame.pressure)));
   }
   py::dict out;
-  out["json"] = to_python(
-      records::result_json(spec.name, run.result, spec.resolved, provenance, threads));
+  out["json"] =
+      to_python(records::result_json(spec.name, run.result, spec.resolved, provenance, threads));
   out["columns"] = run.result.series.columns;
   out["series"] = raw(table);
   out["frames"] = frames;

@@ -34,7 +34,7 @@ class Examples(tiny.InFolder):
         self.assertTrue(all(0.0 < float(row[1]) <= 1.0 for row in rows), shown)
 
     def test_scipy(self) -> None:
-        record = load("scipy_study").main(25.0, 1)
+        record = load("scipy_study").main(15.0, 1)
         self.assertTrue(record.feasible)
 
     def test_optuna(self) -> None:
@@ -42,7 +42,7 @@ class Examples(tiny.InFolder):
             import optuna  # noqa: F401
         except ImportError:
             self.skipTest("python3-optuna is not installed")
-        front = load("optuna_study").main(25.0, 8)
+        front = load("optuna_study").main(15.0, 8)
         self.assertGreaterEqual(len(front), 1)
 
     def test_calibration(self) -> None:
@@ -51,9 +51,12 @@ class Examples(tiny.InFolder):
         self.assertAlmostEqual(sum(study.scenarios.values()), 1.0)
         self.assertEqual(len(study.scenarios), 5)
         spec = json.loads((self.folder / "calibrated.json").read_text())
-        middle = spec["scenarios"][0]["set"]["yield_stress_pa"]
-        # The observation was made with 90 Pa; the misfit leaves a factor of 1.5 either way.
-        self.assertTrue(60.0 < middle < 135.0, done.stdout)
+        centre = spec["scenarios"][0]["set"]
+        # The observation was made at 10 mm with 90 Pa and 4.526 Pa s^n. One front cannot tell the two
+        # apart well: where one is too large the other is too small.
+        tau, k = centre["/material/yield_stress_pa"], centre["/material/consistency_pa_sn"]
+        self.assertTrue(45.0 < tau < 180.0, done.stdout)
+        self.assertTrue(2.2 < k < 9.1, done.stdout)
 
     def test_sigma_points_keep_mean_and_covariance(self) -> None:
         module = load("calibration")

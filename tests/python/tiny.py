@@ -56,7 +56,7 @@ SWEEP: dict[str, Any] = {
 
 DESIGN = {"deflector_angle_deg": 45, "upstream_height_m": 0.07}
 
-TIMES = ("wall_time_s", "cpu_time_s", "crc32c")
+TIMES = ("wall_time_s", "cpu_time_s", "crc32c", "git_revision")
 
 
 def study(**members: Any) -> dict[str, Any]:

@@ -6,9 +6,9 @@
 
 namespace parapet::cli {
 
-/// Runs the verb that the arguments name, the program's name first, and gives the exit code: 0 done,
-/// 1 failed, 2 bad input, 130 interrupted. Messages go to standard error. Takes over SIGINT, SIGTERM
-/// and SIGHUP. Never throws.
+/// Runs the verb that the arguments name, the program's name first, and gives the exit code: 0
+/// done, 1 failed, 2 bad input, 130 interrupted. Messages go to standard error. Takes over SIGINT,
+/// SIGTERM and SIGHUP. Never throws.
 /// @param service who simulates the designs of studies, the rows of sweeps and what confirms a
 ///        design
 int run_parapet(int argc, char** argv, study::ServiceFactory service = study::local_service());
