@@ -25,8 +25,7 @@ struct Budget {
 Budget budget(Eigen::Index n) {
   if (n <= 60) return {40, 150};
   if (n <= 150) return {20, 80};
-  if (n <= 600) return {10, 40};
-  return {5, 25};
+  return {4, 10};
 }
 
 SmoothFunction negative(const MarginalLikelihood& likelihood) {
