@@ -124,8 +124,8 @@ Gain::Given Gain::predict(const Prepared& prepared) const {
 }
 
 Eigen::VectorXd Gain::log_feasible(const Prepared& prepared, const Given& given, Eigen::Index k,
-                                   bool all_limits, std::size_t level) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(n_samples_);
+                                   bool all_limits, std::size_t level, int draws) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(draws);
   for (const LimitView& limit : limits_) {
     if (limit.in_reference && !all_limits) continue;
     const Eigen::MatrixXd& mean = given.means[limit.metric];
@@ -137,7 +137,7 @@ Eigen::VectorXd Gain::log_feasible(const Prepared& prepared, const Given& given,
     }
     const double deviation = given.deviations[limit.metric][k];
     const double shown = prepared.shown(level, limit.metric, k);
-    for (Eigen::Index s = 0; s < n_samples_; ++s) {
+    for (Eigen::Index s = 0; s < draws; ++s) {
       const bool met = limit.lower <= mean(s, k) && mean(s, k) <= limit.upper;
       result[s] += acquisition::log_probability_within(
           mean(s, k), met ? deviation : deviation * shown, limit.lower, limit.upper);
@@ -146,15 +146,16 @@ Eigen::VectorXd Gain::log_feasible(const Prepared& prepared, const Given& given,
   return result;
 }
 
-Eigen::VectorXd Gain::log_gain(const Prepared& prepared, const Given& given,
-                               std::size_t level) const {
+Eigen::VectorXd Gain::log_gain(const Prepared& prepared, const Given& given, std::size_t level,
+                               int draws) const {
   const bool only_feasibility = !front_->any_feasible() && !limits_.empty();
   const Eigen::Index n_objectives = as_index(objectives_.size());
   Eigen::VectorXd result = prepared.log_success;
-  Eigen::MatrixXd y(n_samples_, n_objectives), deviation(n_samples_, n_objectives);
+  Eigen::MatrixXd y(draws, n_objectives), deviation(draws, n_objectives);
   for (Eigen::Index k = 0; k < result.size(); ++k) {
     const Point& x = prepared.xs[static_cast<std::size_t>(k)];
-    const Eigen::VectorXd feasible = log_feasible(prepared, given, k, only_feasibility, level);
+    const Eigen::VectorXd feasible =
+        log_feasible(prepared, given, k, only_feasibility, level, draws);
     if (only_feasibility) {
       result[k] += acquisition::log_mean(feasible);
       continue;
@@ -163,7 +164,7 @@ Eigen::VectorXd Gain::log_gain(const Prepared& prepared, const Given& given,
       const ObjectiveView& view = objectives_[static_cast<std::size_t>(j)];
       if (view.process != nullptr) {
         const double sd = given.deviations[view.metric][k] * prepared.shown(level, view.metric, k);
-        for (Eigen::Index s = 0; s < n_samples_; ++s) {
+        for (Eigen::Index s = 0; s < draws; ++s) {
           const double z = given.means[view.metric](s, k);
           y(s, j) = view.from_model(z);
           deviation(s, j) = view.deviation(z, sd);
@@ -178,12 +179,17 @@ Eigen::VectorXd Gain::log_gain(const Prepared& prepared, const Given& given,
   return result;
 }
 
-Gain::Value Gain::value(const Prepared& prepared) const {
+Gain::Value Gain::screen(const std::vector<Point>& xs) const {
+  constexpr int few_draws = 8;
+  return value(prepare(xs), std::min(few_draws, n_samples_));
+}
+
+Gain::Value Gain::value(const Prepared& prepared, int draws) const {
   const Given given = predict(prepared);
   Value best{.log_gain_per_cost = {}, .level = std::vector<int>(prepared.xs.size(), 0)};
   for (std::size_t level = 0; level < level_cost_.size(); ++level) {
     const Eigen::VectorXd here =
-        log_gain(prepared, given, level).array() - std::log(level_cost_[level]);
+        log_gain(prepared, given, level, draws).array() - std::log(level_cost_[level]);
     if (level == 0) {
       best.log_gain_per_cost = here;
       continue;
@@ -206,8 +212,8 @@ Eigen::VectorXd Gain::log_ignorance(const std::vector<Point>& xs) const {
     for (const ObjectiveView& view : objectives_) {
       if (view.process != nullptr) largest = std::max(largest, given.deviations[view.metric][k]);
     }
-    result[k] +=
-        2.0 * std::log(largest) + acquisition::log_mean(log_feasible(prepared, given, k, true, 0));
+    result[k] += 2.0 * std::log(largest) +
+                 acquisition::log_mean(log_feasible(prepared, given, k, true, 0, n_samples_));
   }
   return result;
 }

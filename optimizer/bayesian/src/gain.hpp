@@ -69,8 +69,11 @@ class Gain {
 
   /// Of designs that are not evaluated yet: log of the expected gain over the level's cost, at the
   /// level where it is largest.
-  Value value(const Prepared& prepared) const;
+  Value value(const Prepared& prepared) const { return value(prepared, n_samples_); }
   Value value(const std::vector<Point>& xs) const { return value(prepare(xs)); }
+
+  /// A rough value, by the first few draws alone.
+  Value screen(const std::vector<Point>& xs) const;
 
   /// A design becomes pending: its outcome joins the draws, which else stay as they are.
   void add_pending(const Point& x);
@@ -105,8 +108,10 @@ class Gain {
 
   Given predict(const Prepared& prepared) const;
   Eigen::VectorXd log_feasible(const Prepared& prepared, const Given& given, Eigen::Index k,
-                               bool all_limits, std::size_t level) const;
-  Eigen::VectorXd log_gain(const Prepared& prepared, const Given& given, std::size_t level) const;
+                               bool all_limits, std::size_t level, int draws) const;
+  Eigen::VectorXd log_gain(const Prepared& prepared, const Given& given, std::size_t level,
+                           int draws) const;
+  Value value(const Prepared& prepared, int draws) const;
   bool wanted(std::size_t metric) const;
   void view_objectives(const Input& input);
   void view_limits(const Input& input);

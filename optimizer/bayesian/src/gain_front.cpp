@@ -34,7 +34,7 @@ void Gain::choose_front_designs(const Input& input) {
   for (std::size_t j = 0; j < objectives_.size() && !xs.empty(); ++j) {
     const ObjectiveView& view = objectives_[j];
     if (view.process != nullptr) {
-      const Eigen::VectorXd z = view.process->predict(inputs).mean;
+      const Eigen::VectorXd z = view.process->predict_mean(inputs);
       means.col(as_index(j)) = z.unaryExpr([&](double one) { return view.from_model(one); });
     } else {
       for (std::size_t k = 0; k < xs.size(); ++k) {

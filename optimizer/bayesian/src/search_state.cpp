@@ -160,12 +160,10 @@ Suggestion Search::State::issue(Point x, int level, std::string stage, double lo
 bool Search::State::near(const Point& a, const Point& b) const {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::isnan(a[i]) != std::isnan(b[i])) return false;
-  }
-  const auto u = problem.space.to_unit(a), v = problem.space.to_unit(b);
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const bool whole = problem.space.variables()[i].kind != VariableKind::continuous;
-    const double within = whole ? 0.0 : options.duplicate_distance;
-    if (std::abs(u[i] - v[i]) > within) return false;
+    const Variable& v = problem.space.variables()[i];
+    const bool whole = v.kind != VariableKind::continuous;
+    const double within = whole ? 0.0 : options.duplicate_distance * (v.upper - v.lower);
+    if (std::abs(a[i] - b[i]) > within) return false;
   }
   return true;
 }

@@ -13,8 +13,6 @@
 namespace parapet::bayesian {
 namespace {
 
-constexpr int screening_samples = 8;
-
 /// When the surrogates expect less than this share of the hypervolume, every other evaluation tests
 /// the surrogates themselves: few data may make them sure of too much.
 constexpr double share_that_doubts = 1e-4;
@@ -87,23 +85,21 @@ std::optional<Search::State::Best> Search::State::begin_round(const Eigen::Vecto
   std::vector<Suggestion> waiting;
   for (const auto& [id, suggestion] : pending) waiting.push_back(suggestion);
   const auto stream = static_cast<std::uint64_t>(next_id) + 1;
-  Gain::Input input{.problem = problem,
-                    .models = models,
-                    .told = told,
-                    .pending = waiting,
-                    .reference = reference,
-                    .level_cost = level_cost(),
-                    .n_samples = options.samples,
-                    .seed = options.seed * 1000003ULL + stream,
-                    .tolerance = options.feasibility_tolerance};
+  const Gain::Input input{.problem = problem,
+                          .models = models,
+                          .told = told,
+                          .pending = waiting,
+                          .reference = reference,
+                          .level_cost = level_cost(),
+                          .n_samples = options.samples,
+                          .seed = options.seed * 1000003ULL + stream,
+                          .tolerance = options.feasibility_tolerance};
   round = std::make_unique<Round>(Round{.told = told.size(), .gain = Gain(input), .pool = {}});
   for (const Suggestion& one : waiting) round->seen.insert(one.id);
-  input.n_samples = std::min(screening_samples, options.samples);
-  const Gain screen(input);
 
   MaximizeInput search;
   search.gain = [&](const auto& xs) { return round->gain.value(xs).log_gain_per_cost; };
-  search.screen = [&](const auto& xs) { return screen.value(xs).log_gain_per_cost; };
+  search.screen = [&](const auto& xs) { return round->gain.screen(xs).log_gain_per_cost; };
   search.repeated = [&](const Point& x) { return repeated(x); };
   search.centers = round->gain.front_designs();
   // A candidate costs the number of designs squared.
@@ -113,7 +109,7 @@ std::optional<Search::State::Best> Search::State::begin_round(const Eigen::Vecto
   Candidates candidates(problem, options.feasibility_tolerance, options.seed, stream);
   auto maximum = maximize_gain(search, problem.space, candidates);
   if (!maximum) return std::nullopt;
-  const int level = round->gain.value({maximum->best.x}).level.front();
+  const int level = round->gain.value(std::vector<Point>{maximum->best.x}).level.front();
   round->pool = round->gain.prepare(std::move(maximum->pool));
   return Best{
       .x = std::move(maximum->best.x), .level = level, .log_gain_per_cost = maximum->best.log_gain};

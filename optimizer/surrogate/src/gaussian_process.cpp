@@ -200,6 +200,14 @@ Prediction GaussianProcess::predict(const Eigen::MatrixXd& inputs, int level) co
   return prediction;
 }
 
+Eigen::VectorXd GaussianProcess::predict_mean(const Eigen::MatrixXd& inputs, int level) const {
+  require_features(inputs, level);
+  const Eigen::MatrixXd k =
+      prior_covariance(layout_, parameters_.levels, data_.inputs, data_.levels, inputs, level);
+  return (k.transpose() * weights_).array() +
+         parameters_.levels[static_cast<std::size_t>(level)].mean;
+}
+
 JointPrediction GaussianProcess::joint(const Eigen::MatrixXd& inputs, int level) const {
   JointPrediction prediction;
   prediction.mean = predict(inputs, level).mean;

@@ -87,6 +87,9 @@ class GaussianProcess {
   /// Each value for itself; inputs [m, n_features].
   Prediction predict(const Eigen::MatrixXd& inputs, int level = 0) const;
 
+  /// The means of predict() alone [m], which cost much less.
+  Eigen::VectorXd predict_mean(const Eigen::MatrixXd& inputs, int level = 0) const;
+
   /// The values together, with their covariances; inputs [m, n_features].
   JointPrediction joint(const Eigen::MatrixXd& inputs, int level = 0) const;
 
