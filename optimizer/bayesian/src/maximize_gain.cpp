@@ -66,7 +66,7 @@ std::optional<Maximum> maximize_gain(const MaximizeInput& input, const Space& sp
   std::vector<Candidate> screened = weighed(input.screen, std::move(xs));
   best_first(screened);
 
-  constexpr std::size_t n_pool = 48;
+  constexpr std::size_t n_pool = 32;
   const std::size_t n_climbers = std::max<std::size_t>(2, share(5));
   const std::size_t steps_each = std::max<std::size_t>(8, share(16));
   std::vector<Point> starts;

@@ -134,7 +134,7 @@ std::optional<Search::State::Best> Search::State::continue_round() {
   };
   look(round->pool.xs, pool);
   if (!best || !std::isfinite(best->log_gain_per_cost)) return std::nullopt;
-  constexpr std::size_t steps = 12;
+  constexpr std::size_t steps = 8;
   Candidates candidates(problem, options.feasibility_tolerance, options.seed,
                         static_cast<std::uint64_t>(next_id) + 1);
   const std::vector<Point> near = candidates.around(best->x, 0.03, steps);
