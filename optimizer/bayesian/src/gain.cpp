@@ -13,6 +13,20 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// A reference of 0 or less has no place on a logarithmic scale: the box would be some hundred
+/// standard deviations long. It is moved to a tenth of the observed range below the least value, on
+/// that scale.
+double reference_in_reach(const ObjectiveView& view, double reference) {
+  if (!view.in_model_units ||
+      view.process->parameters().transform.kind != surrogate::TransformKind::log) {
+    return reference;
+  }
+  const Eigen::VectorXd& values = view.process->data().values;
+  const double least = values.minCoeff(), greatest = values.maxCoeff();
+  if (!(least > 0.0)) return reference;  // the fit takes another transform then
+  return std::max(reference, least * std::pow(least / greatest, 0.1));
+}
+
 }  // namespace
 
 Gain::Gain(const Input& input)
@@ -40,7 +54,7 @@ void Gain::view_objectives(const Input& input) {
     const ObjectiveView view = view_of(problem_, models_, input.told, j);
     const double in_unit =
         objective.maximize ? -input.reference[as_index(j)] : input.reference[as_index(j)];
-    reference_[as_index(j)] = view.to_view(in_unit);
+    reference_[as_index(j)] = view.to_view(reference_in_reach(view, in_unit));
     const double best = objective.maximize ? metric.greatest : metric.least;
     ideal_[as_index(j)] = std::isfinite(best) ? view.to_view(best) : -infinity;
     objectives_.push_back(view);

@@ -12,11 +12,17 @@ constexpr double most_ranges = 10.0;
 
 }  // namespace
 
+double ObjectiveView::to_view(double value) const {
+  return sign * (in_model_units ? process->to_model(value) : (value - shift) / scale);
+}
+
 double ObjectiveView::from_model(double z) const {
+  if (in_model_units) return sign * z;
   return to_view(std::clamp(process->from_model(z), least, greatest));
 }
 
 double ObjectiveView::deviation(double z, double deviation) const {
+  if (in_model_units) return deviation;
   if (process->parameters().transform.kind == surrogate::TransformKind::identity) {
     return deviation * process->parameters().transform.scale / scale;
   }
@@ -30,6 +36,7 @@ ObjectiveView view_of(const Problem& problem, const Models& models, const std::v
   view.metric = objective.metric;
   view.sign = objective.maximize ? -1.0 : 1.0;
   view.process = models.process(objective.metric);
+  view.in_model_units = view.process != nullptr && problem.objectives.size() == 1;
   std::vector<double> values;
   for (const Told& t : told) {
     if (t.values[objective.metric]) values.push_back(*t.values[objective.metric]);

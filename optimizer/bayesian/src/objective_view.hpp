@@ -7,8 +7,10 @@
 
 namespace parapet::bayesian {
 
-/// The hypervolume is measured in the objectives' units; so is what a design is expected to add.
-/// The surrogate may work on a logarithm: its draws are brought back before they are compared.
+/// The hypervolume of several objectives is measured in their units; so is what a design is
+/// expected to add. The surrogate may work on a logarithm: its draws are brought back before they
+/// are compared. One objective alone is left in model units: its order is the same there, and a
+/// logarithm goes on promising something where the digits are small.
 struct ObjectiveView {
   std::size_t metric = 0;
   double sign = 1.0;  ///< -1 for what is maximised
@@ -16,7 +18,9 @@ struct ObjectiveView {
   double least = 0.0, greatest = 0.0;  ///< values beyond are as good as these (the metric's unit)
   const surrogate::GaussianProcess* process = nullptr;  ///< null: exact
 
-  double to_view(double value) const { return sign * (value - shift) / scale; }
+  bool in_model_units = false;
+
+  double to_view(double value) const;
 
   /// Of a value in model units.
   double from_model(double z) const;

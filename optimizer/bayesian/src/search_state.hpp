@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -61,6 +62,7 @@ struct Search::State {
   std::size_t modelled = 0;  // told when `models` was last updated
   std::unique_ptr<Round> round;
   StopReason stop = StopReason::none;
+  double last_gain = std::numeric_limits<double>::infinity();  // expected of the last global one
   int doubts = 0;         // times that a small gain was expected
   int small_gains = 0;    // expected gains below the least, running
   double spent = 0.0;     // [s]

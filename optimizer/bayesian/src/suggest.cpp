@@ -17,15 +17,19 @@ namespace {
 /// the surrogates themselves: few data may make them sure of too much.
 constexpr double share_that_doubts = 1e-4;
 
+/// Standard deviations of the objective: below, the last digits are what is left to gain.
+constexpr double gain_for_local_steps = 3e-3;
+
 /// Up to so many designs the candidates are as many as can be; then fewer, down to a share.
 constexpr std::size_t usual_designs = 150;
 constexpr double least_effort = 0.3;
 
 }  // namespace
 
-/// Of one objective at one level.
+/// Of one objective at one level, once the global search promises little.
 std::optional<Suggestion> Search::State::suggest_local() {
-  if (!options.local_steps || problem.objectives.size() > 1 || problem.levels.size() > 1) {
+  if (!options.local_steps || problem.objectives.size() > 1 || problem.levels.size() > 1 ||
+      last_gain > gain_for_local_steps) {
     return std::nullopt;
   }
   const bool asked_already = std::any_of(pending.begin(), pending.end(),
@@ -162,6 +166,7 @@ std::optional<Suggestion> Search::State::suggest_gain() {
   const double log_gain =
       best->log_gain_per_cost + std::log(gain.level_cost(static_cast<std::size_t>(best->level)));
 
+  if (gain.any_feasible()) last_gain = std::exp(log_gain);
   if (gain_is_small(std::exp(log_gain), gain)) {
     if (pending.empty()) stop = StopReason::small_gain;
     return std::nullopt;

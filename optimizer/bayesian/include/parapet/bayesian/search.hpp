@@ -36,8 +36,8 @@ struct SearchOptions {
   /// Stop when the expected gain is below this share of the hypervolume, or below a tenth of the
   /// noise of an observation, three times running; 0: never.
   double least_gain = 0.0;
-  /// With one objective: every other evaluation, or more while that succeeds, is a step from the
-  /// best design by NLopt on surrogates of its neighbourhood.
+  /// With one objective, once the expected gain is small: steps from the best design by NLopt on
+  /// surrogates of its neighbourhood take turns with the search, and more while they succeed.
   bool local_steps = true;
   /// With several levels: what will be recommended of the front, and is therefore confirmed at the
   /// finest level. Empty: the least of the largest normalised objective.
