@@ -279,22 +279,43 @@ std::optional<TrustRegion> trust_region(const Problem& problem, const std::vecto
   return region;
 }
 
-bool local_turn(const Problem& problem, const std::vector<Told>& told, double tolerance) {
-  constexpr int most_running = 3;
+namespace {
+
+/// Calls f(evaluation, improvement) for all that was told, in order: by how much each made the best
+/// feasible design better, 0 for those that did not.
+template <typename F>
+void for_each_improvement(const Problem& problem, const std::vector<Told>& told, double tolerance,
+                          const F& f) {
   std::optional<double> best;
-  double gain_local = 0.0, gain_global = 0.0;
-  int running = 0;  // evaluations of the last one's kind
-  bool last_local = false;
   for (const Told& t : told) {
     const bool feasible = t.ok && meets_limits(problem, t.values, tolerance);
     const auto y = feasible ? minimized(problem, t.values) : std::nullopt;
-    const double improvement = y && best ? std::max(0.0, *best - (*y)[0]) : 0.0;
+    f(t, y && best ? std::max(0.0, *best - (*y)[0]) : 0.0);
     if (y && (!best || (*y)[0] < *best)) best = (*y)[0];
+  }
+}
+
+}  // namespace
+
+int idle_evaluations(const Problem& problem, const std::vector<Told>& told, double tolerance) {
+  int idle = 0;
+  for_each_improvement(problem, told, tolerance, [&](const Told& t, double improvement) {
+    if (!t.local) idle = improvement > 0.0 ? 0 : idle + 1;
+  });
+  return idle;
+}
+
+bool local_turn(const Problem& problem, const std::vector<Told>& told, double tolerance) {
+  constexpr int most_running = 3;
+  double gain_local = 0.0, gain_global = 0.0;
+  int running = 0;  // evaluations of the last one's kind
+  bool last_local = false;
+  for_each_improvement(problem, told, tolerance, [&](const Told& t, double improvement) {
     double& gain = t.local ? gain_local : gain_global;
     gain = 0.5 * (gain + improvement);
     running = t.local == last_local ? running + 1 : 1;
     last_local = t.local;
-  }
+  });
   if (gain_local == gain_global) return !last_local;
   const bool better_local = gain_local > gain_global;
   return running >= most_running && last_local == better_local ? !better_local : better_local;

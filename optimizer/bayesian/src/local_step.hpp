@@ -22,6 +22,9 @@ struct TrustRegion {
 std::optional<TrustRegion> trust_region(const Problem& problem, const std::vector<Told>& told,
                                         double tolerance);
 
+/// Evaluations other than local steps since one of them improved the best design.
+int idle_evaluations(const Problem& problem, const std::vector<Told>& told, double tolerance);
+
 /// Whether the next evaluation is a local step, and not one of the global search: the kind that has
 /// improved the best design more of late, by an average that halves with each of its evaluations.
 /// Every fourth evaluation at least is of the other kind.

@@ -63,7 +63,7 @@ struct Search::State {
   std::unique_ptr<Round> round;
   StopReason stop = StopReason::none;
   double last_gain = std::numeric_limits<double>::infinity();  // expected of the last global one
-  int doubts = 0;         // times that a small gain was expected
+  int local_steps = 0;                                         // asked so far
   int small_gains = 0;    // expected gains below the least, running
   double spent = 0.0;     // [s]
   double own_time = 0.0;  // [s]

@@ -26,10 +26,15 @@ constexpr double least_effort = 0.3;
 
 }  // namespace
 
-/// Of one objective at one level, once the global search promises little.
+/// Of one objective at one level, once the global search promises little or has not found a better
+/// design for long.
 std::optional<Suggestion> Search::State::suggest_local() {
-  if (!options.local_steps || problem.objectives.size() > 1 || problem.levels.size() > 1 ||
-      last_gain > gain_for_local_steps) {
+  if (!options.local_steps || problem.objectives.size() > 1 || problem.levels.size() > 1) {
+    return std::nullopt;
+  }
+  const int long_idle = 6 + 2 * static_cast<int>(problem.space.size());
+  if (last_gain > gain_for_local_steps &&
+      idle_evaluations(problem, told, options.feasibility_tolerance) < long_idle) {
     return std::nullopt;
   }
   const bool asked_already = std::any_of(pending.begin(), pending.end(),
@@ -44,6 +49,7 @@ std::optional<Suggestion> Search::State::suggest_local() {
   if (!x) return std::nullopt;
   const auto asked = [&](const auto& p) { return same_design(p.second.x, *x); };
   if (std::any_of(pending.begin(), pending.end(), asked)) return std::nullopt;
+  ++local_steps;
   return issue(*std::move(x), 0, "local", 0.0);
 }
 
@@ -171,7 +177,8 @@ std::optional<Suggestion> Search::State::suggest_gain() {
     if (pending.empty()) stop = StopReason::small_gain;
     return std::nullopt;
   }
-  if (std::exp(log_gain) < share_that_doubts * gain.mean_hypervolume() && ++doubts % 2 == 0) {
+  if (std::exp(log_gain) < share_that_doubts * gain.mean_hypervolume() &&
+      (next_id - local_steps) % 2 == 0) {
     Candidates candidates(problem, options.feasibility_tolerance, options.seed,
                           static_cast<std::uint64_t>(next_id) + 1);
     if (auto suggestion = suggest_unknown(gain, candidates)) return suggestion;
