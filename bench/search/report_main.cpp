@@ -4,6 +4,7 @@
 // and DOCS/results.md. OUT/zoo.json and OUT/overhead.json are taken in where they exist.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <set>
@@ -98,8 +99,9 @@ std::string overhead_section(const Json& overhead) {
 }
 
 std::string zoo_section(const Json& zoo) {
-  std::vector<std::vector<std::string>> rows = {
-      {"problem", "variant", "Bayesian 90 %", "95 %", "end", "Sobol' 90 %", "95 %", "end"}};
+  std::vector<std::vector<std::string>> rows = {{"problem", "variant", "Bayesian 90 %", "95 %",
+                                                 "end", "worst run", "Sobol' 90 %", "95 %", "end",
+                                                 "worst run"}};
   const auto reached = [](const Json& value, int budget) {
     return value.is_number() ? fmt::format("{:.0f}", value.get<double>())
                              : fmt::format("> {}", budget);
@@ -112,12 +114,51 @@ std::string zoo_section(const Json& zoo) {
       cells.push_back(reached(score.at("evaluations_90"), budget));
       cells.push_back(reached(score.at("evaluations_95"), budget));
       cells.push_back(fmt::format("{:.3f}", score.at("share_at_end").get<double>()));
+      cells.push_back(fmt::format("{:.3f}", score.value("worst_share_at_end", 0.0)));
     }
     rows.push_back(cells);
   }
   return fmt::format("## Problems with known fronts\n\nMedian of {} runs, {} evaluations each.\n\n",
                      zoo.at("seeds").get<int>(), zoo.at("evaluations").get<int>()) +
          markdown_table(rows) + "\n";
+}
+
+/// Gaps and shares of known_bench, one line for each problem.
+std::string known_section(const Json& known) {
+  std::vector<std::vector<std::string>> rows = {{"problem", "evaluations", "measure"}};
+  const auto number = [](const Json& value) {
+    return value.is_number() ? fmt::format("{:.2g}", value.get<double>()) : std::string("-");
+  };
+  std::string last;
+  for (const Json& row : known.at("rows")) {
+    if (row.at("problem") != last) {
+      last = row.at("problem");
+      rows.push_back(
+          {last, fmt::format("{}", row.at("evaluations").get<int>()),
+           row.at("measure") == "gap" ? "gap to the least value" : "share of the hypervolume"});
+    }
+    const std::string method = row.at("method");
+    auto& head = rows.front();
+    if (std::find(head.begin(), head.end(), method) == head.end()) head.push_back(method);
+    rows.back().push_back(number(row.at("median")) + " (" + number(row.at("worst")) + ")");
+  }
+  return fmt::format(
+             "## Hard problems with known optima\n\nMedian of {} runs, the worst one in "
+             "brackets.\n\n",
+             known.at("seeds").get<int>()) +
+         markdown_table(rows) + "\n";
+}
+
+std::string asker_section(const Json& asker) {
+  std::vector<std::vector<std::string>> rows = {
+      {"designs known", "variables", "questions in a batch", "processor time of one [ms]"}};
+  for (const Json& row : asker) {
+    rows.push_back({fmt::format("{}", row.at("designs").get<int>()),
+                    fmt::format("{}", row.at("variables").get<int>()),
+                    fmt::format("{}", row.at("batch").get<int>()),
+                    fmt::format("{:.0f}", 1e3 * row.at("seconds_each").get<double>())});
+  }
+  return "## What a question costs\n\n" + markdown_table(rows) + "\n";
 }
 
 void report(const std::filesystem::path& list, const std::filesystem::path& tables,
@@ -143,6 +184,14 @@ void report(const std::filesystem::path& list, const std::filesystem::path& tabl
   if (std::filesystem::exists(out / "zoo.json")) {
     json["zoo"] = read_json(out / "zoo.json");
     text += zoo_section(json["zoo"]);
+  }
+  if (std::filesystem::exists(out / "known.json")) {
+    json["known"] = read_json(out / "known.json");
+    text += known_section(json["known"]);
+  }
+  if (std::filesystem::exists(out / "asker.json")) {
+    json["asker"] = read_json(out / "asker.json");
+    text += asker_section(json["asker"]);
   }
   if (std::filesystem::exists(out / "overhead.json")) {
     json["overhead"] = read_json(out / "overhead.json");

@@ -139,7 +139,14 @@ MethodScore score(const BenchProblem& problem, const Yardstick& yardstick, const
       seconds.push_back(reached ? curve.seconds[steps] : never);
     }
     result.evaluations[t] = median_or_never(evaluations);
+    result.worst_evaluations[t] =
+        evaluations.empty() ? never : *std::max_element(evaluations.begin(), evaluations.end());
     result.seconds[t] = median_or_never(seconds);
+  }
+  result.worst_share = result.curves.empty() ? 0.0 : 1.0;
+  for (const Curve& curve : result.curves) {
+    result.worst_share =
+        std::min(result.worst_share, curve.share.empty() ? 0.0 : curve.share.back());
   }
   for (std::size_t k = 0; k < longest; ++k) {
     std::vector<double> shares;

@@ -45,6 +45,8 @@ struct MethodScore {
   std::array<double, 3> evaluations{};           // median to reach each target
   std::array<double, 3> seconds{};               // the same in nominal seconds
   std::array<int, 3> reached{};                  // runs that reached it
+  std::array<double, 3> worst_evaluations{};     // of the slowest run
+  double worst_share = 0.0;                      // least at the end of the budget
   std::vector<double> median_share;              // [budget] after each evaluation
   std::vector<double> lower_share, upper_share;  // quartiles
   double own_seconds = 0.0;                      // median over runs

@@ -33,10 +33,12 @@ nlohmann::ordered_json to_json(const MethodScore& score) {
                                  {"family", score.family},
                                  {"runs", score.curves.size()},
                                  {"budget_evaluations", score.budget},
+                                 {"worst_share_at_end", score.worst_share},
                                  {"own_seconds", score.own_seconds}};
   for (std::size_t t = 0; t < targets.size(); ++t) {
     json["targets"].push_back({{"share", targets[t]},
                                {"median_evaluations", number_or_null(score.evaluations[t])},
+                               {"worst_evaluations", number_or_null(score.worst_evaluations[t])},
                                {"median_seconds", number_or_null(score.seconds[t])},
                                {"runs_that_reached_it", score.reached[t]}});
   }
@@ -79,13 +81,18 @@ std::string target_text(double value, double budget, const char* format) {
 }
 
 std::string evaluations_table(const Comparison& comparison) {
-  std::vector<std::vector<std::string>> rows = {
-      {"method", "90 %", "95 %", "99 %", "share after 50", "after 100", "after 300"}};
+  std::vector<std::vector<std::string>> rows = {{"method", "90 %", "95 %", "worst run", "99 %",
+                                                 "share after 50", "after 100", "after 300",
+                                                 "worst run at the end"}};
   for (const MethodScore& s : comparison.scores) {
     if (s.method == "bayesian_levels") continue;  // its evaluations are not all of one cost
     std::vector<std::string> row = {s.label};
-    for (const double e : s.evaluations) row.push_back(target_text(e, s.budget));
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+      row.push_back(target_text(s.evaluations[t], s.budget));
+      if (t == 1) row.push_back(target_text(s.worst_evaluations[t], s.budget));
+    }
     for (const std::size_t e : {50UL, 100UL, 300UL}) row.push_back(share_text(s, e));
+    row.push_back(fmt::format("{:.3f}", s.worst_share));
     rows.push_back(row);
   }
   return markdown_table(rows);

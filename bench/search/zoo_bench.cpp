@@ -45,6 +45,7 @@ Json as_json(const MethodScore& score, int budget) {
           {"evaluations_90", number(score.evaluations[0])},
           {"evaluations_95", number(score.evaluations[1])},
           {"share_at_end", score.median_share.empty() ? 0.0 : score.median_share.back()},
+          {"worst_share_at_end", score.worst_share},
           {"own_seconds", score.own_seconds}};
 }
 

@@ -141,39 +141,56 @@ double NoisyFront::log_improvement_of(const Front& front, const double* mean, co
 
 double NoisyFront::log_improvement(const Eigen::MatrixXd& means, const Objectives& sd,
                                    const Eigen::VectorXd& log_feasible) const {
+  math::check_objectives("the standard deviation", sd, static_cast<Eigen::Index>(n_objectives_));
+  if (log_feasible.size() != n_samples()) {
+    throw std::invalid_argument("feasibility is needed as one value for each of " +
+                                std::to_string(n_samples()) + " draws");
+  }
+  return log_improvement_by_draw(means, sd.transpose().replicate(n_samples(), 1), log_feasible);
+}
+
+double NoisyFront::log_improvement_by_draw(const Eigen::MatrixXd& means,
+                                           const Eigen::MatrixXd& deviations,
+                                           const Eigen::VectorXd& log_feasible) const {
   const auto m = static_cast<Eigen::Index>(n_objectives_);
-  math::check_objectives("the standard deviation", sd, m);
-  if (means.rows() != n_samples() || means.cols() != m || log_feasible.size() != n_samples()) {
+  const Eigen::Index draws = log_feasible.size();
+  const auto fits = [&](const Eigen::MatrixXd& one) {
+    return one.rows() == draws && one.cols() == m;
+  };
+  if (!fits(means) || !fits(deviations) || draws < 1 || draws > n_samples()) {
     throw std::invalid_argument("means are needed as " + std::to_string(n_samples()) + " x " +
                                 std::to_string(m) + ", feasibility as one value per draw");
   }
-  if (means.hasNaN() || log_feasible.hasNaN() || !(sd.array() >= 0.0).all()) {
+  if (means.hasNaN() || log_feasible.hasNaN() || !(deviations.array() >= 0.0).all()) {
     throw std::invalid_argument(
         "means or feasibility are not numbers, or a standard deviation is "
         "not zero or more");
   }
   std::vector<Excess> excess(n_objectives_ * most_limits_);
-  std::vector<double> mean(n_objectives_);
-  const auto take_mean = [&](Eigen::Index s) {
-    for (Eigen::Index j = 0; j < m; ++j) mean[static_cast<std::size_t>(j)] = means(s, j);
+  std::vector<double> mean(n_objectives_), sd(n_objectives_);
+  const auto take = [&](Eigen::Index s) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      mean[static_cast<std::size_t>(j)] = means(s, j);
+      sd[static_cast<std::size_t>(j)] = deviations(s, j);
+    }
   };
-  Eigen::VectorXd log_terms(n_samples());
+  Eigen::VectorXd log_terms(draws);
   double greatest = -infinity;
-  for (Eigen::Index s = 0; s < n_samples(); ++s) {
+  for (Eigen::Index s = 0; s < draws; ++s) {
     log_terms[s] = -infinity;
     if (log_feasible[s] == -infinity) continue;
-    take_mean(s);
+    take(s);
     const double plain =
         plain_improvement(fronts_[static_cast<std::size_t>(s)], mean.data(), sd.data(), excess);
     if (!(plain > least_plain)) continue;
     log_terms[s] = std::log(plain) + log_feasible[s];
     greatest = std::max(greatest, log_terms[s]);
   }
-  for (Eigen::Index s = 0; s < n_samples(); ++s) {
+  for (Eigen::Index s = 0; s < draws; ++s) {
     // What plain arithmetic did not reach, where it can still matter.
     if (log_terms[s] > -infinity || log_feasible[s] == -infinity) continue;
     if (std::log(2.0 * least_plain) + log_feasible[s] - greatest < log_negligible) continue;
-    take_mean(s);
+    take(s);
     log_terms[s] = log_feasible[s] + log_improvement_of(fronts_[static_cast<std::size_t>(s)],
                                                         mean.data(), sd.data(), excess);
   }

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "candidates.hpp"
+#include "confirmation.hpp"
 #include "parapet/acquisition/improvement.hpp"
 #include "parapet/math/pareto.hpp"
 #include "search_state.hpp"
@@ -110,6 +111,13 @@ std::vector<Assessed> Search::assessed() const {
     }
   }
   return designs;
+}
+
+std::vector<std::size_t> Search::estimated_front() const {
+  State& state = *state_;
+  return bayesian::estimated_front(state.problem, state.up_to_date(), state.told,
+                                   state.options.feasibility_tolerance)
+      .told;
 }
 
 std::vector<std::size_t> Search::pareto() const {

@@ -5,35 +5,20 @@
 #include <limits>
 #include <utility>
 
-#include "parapet/math/pareto.hpp"
+#include "as_index.hpp"
+#include "level_choice.hpp"
 
 namespace parapet::bayesian {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t most_front_designs = 40;
-
-Eigen::Index index(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
-
-/// A linear scale for an exact metric: that of the designs seen.
-surrogate::OutputTransform exact_transform(std::size_t metric, const std::vector<Told>& told) {
-  std::vector<double> values;
-  for (const Told& t : told) {
-    if (t.values[metric]) values.push_back(*t.values[metric]);
-  }
-  if (values.empty()) return {};
-  return surrogate::OutputTransform::standardizing(
-      surrogate::TransformKind::identity,
-      Eigen::Map<Eigen::VectorXd>(values.data(), index(values.size())));
-}
 
 /// A reference of 0 or less has no place on a logarithmic scale: the box would be some hundred
 /// standard deviations long. It is moved to a tenth of the observed range below the least value, on
 /// that scale.
 double reference_in_reach(const ObjectiveView& view, double reference) {
-  if (view.process == nullptr || view.transform.kind != surrogate::TransformKind::log) {
+  if (!view.in_model_units ||
+      view.process->parameters().transform.kind != surrogate::TransformKind::log) {
     return reference;
   }
   const Eigen::VectorXd& values = view.process->data().values;
@@ -45,11 +30,14 @@ double reference_in_reach(const ObjectiveView& view, double reference) {
 }  // namespace
 
 Gain::Gain(const Input& input)
-    : problem_(input.problem), models_(input.models), n_samples_(input.n_samples) {
+    : problem_(input.problem),
+      models_(input.models),
+      level_cost_(input.level_cost),
+      n_samples_(input.n_samples) {
   view_objectives(input);
   view_limits(input);
   choose_front_designs(input);
-  draw(input);
+  draw(input.seed);
 }
 
 double Gain::exact(std::size_t metric, const Point& x) const {
@@ -58,22 +46,17 @@ double Gain::exact(std::size_t metric, const Point& x) const {
 
 void Gain::view_objectives(const Input& input) {
   const std::size_t n = problem_.objectives.size();
-  reference_.resize(index(n));
-  ideal_.resize(index(n));
+  reference_.resize(as_index(n));
+  ideal_.resize(as_index(n));
   for (std::size_t j = 0; j < n; ++j) {
     const Objective& objective = problem_.objectives[j];
     const Metric& metric = problem_.metrics[objective.metric];
-    ObjectiveView view{.metric = objective.metric,
-                       .sign = objective.maximize ? -1.0 : 1.0,
-                       .transform = {},
-                       .process = models_.process(objective.metric)};
-    view.transform = view.process != nullptr ? view.process->parameters().transform
-                                             : exact_transform(objective.metric, input.told);
+    const ObjectiveView view = view_of(problem_, models_, input.told, j);
     const double in_unit =
-        objective.maximize ? -input.reference[index(j)] : input.reference[index(j)];
-    reference_[index(j)] = view.to_view(reference_in_reach(view, in_unit));
+        objective.maximize ? -input.reference[as_index(j)] : input.reference[as_index(j)];
+    reference_[as_index(j)] = view.to_view(reference_in_reach(view, in_unit));
     const double best = objective.maximize ? metric.greatest : metric.least;
-    ideal_[index(j)] = std::isfinite(best) ? view.to_view(best) : -infinity;
+    ideal_[as_index(j)] = std::isfinite(best) ? view.to_view(best) : -infinity;
     objectives_.push_back(view);
   }
 }
@@ -96,176 +79,97 @@ void Gain::view_limits(const Input& /*input*/) {
       const double bad_end = maximized ? limit.lower : limit.upper;
       const double other_end = maximized ? limit.upper : limit.lower;
       if (!std::isfinite(bad_end)) continue;
-      reference_[index(j)] = std::min(reference_[index(j)], objectives_[j].to_view(bad_end));
+      reference_[as_index(j)] = std::min(reference_[as_index(j)], objectives_[j].to_view(bad_end));
       view.in_reference = !std::isfinite(other_end);
     }
     limits_.push_back(view);
   }
 }
 
-void Gain::choose_front_designs(const Input& input) {
-  std::vector<const Told*> fine;
-  for (const Told& t : input.told) {
-    if (t.ok && t.level == 0) fine.push_back(&t);
-  }
-  std::vector<Point> xs;
-  for (const Told* t : fine) xs.push_back(t->x);
-  const Eigen::MatrixXd inputs = problem_.space.features(xs);
-  Eigen::MatrixXd means(index(xs.size()), index(objectives_.size()));
-  for (std::size_t j = 0; j < objectives_.size() && !xs.empty(); ++j) {
-    const ObjectiveView& view = objectives_[j];
-    if (view.process != nullptr) {
-      means.col(index(j)) = view.sign * view.process->predict(inputs).mean;
-    } else {
-      for (std::size_t k = 0; k < xs.size(); ++k) {
-        means(index(k), index(j)) = view.to_view(exact(view.metric, xs[k]));
-      }
-    }
-  }
-  // Layer after layer of the front of the predicted values, likely feasible designs first.
-  std::vector<std::size_t> chosen;
-  for (const bool want_feasible : {true, false}) {
-    std::vector<std::size_t> left;
-    for (std::size_t k = 0; k < fine.size(); ++k) {
-      if (meets_limits(problem_, fine[k]->values, input.tolerance) == want_feasible)
-        left.push_back(k);
-    }
-    while (!left.empty() && chosen.size() < most_front_designs) {
-      std::vector<math::Objectives> points;
-      for (const std::size_t k : left) points.emplace_back(means.row(index(k)).transpose());
-      const auto layer = math::non_dominated(points);
-      std::vector<std::size_t> rest;
-      for (std::size_t k = 0; k < left.size(); ++k) {
-        const bool in_layer = std::find(layer.begin(), layer.end(), k) != layer.end();
-        if (in_layer && chosen.size() < most_front_designs) {
-          chosen.push_back(left[k]);
-        } else if (!in_layer) {
-          rest.push_back(left[k]);
-        }
-      }
-      left = std::move(rest);
-    }
-  }
-  std::sort(chosen.begin(), chosen.end());
-  for (const std::size_t k : chosen) {
-    designs_.push_back(fine[k]->x);
-    observed_.push_back(fine[k]->values);
-  }
-  for (const Suggestion& suggestion : input.pending) {
-    if (suggestion.level != 0) continue;
-    designs_.push_back(suggestion.x);
-    observed_.emplace_back();
-  }
-}
-
-bool Gain::limits_met(std::size_t design, int sample) const {
-  return std::all_of(limits_.begin(), limits_.end(), [&](const LimitView& limit) {
-    const bool known = !observed_[design].empty();
-    if (known && !observed_[design][limit.metric]) return limit.satisfied_when_absent;
-    double value = 0.0;
-    if (samples(limit.metric) != nullptr) {
-      value = samples(limit.metric)->values()(sample, index(design));
-    } else if (problem_.metrics[limit.metric].exact) {
-      value = exact(limit.metric, designs_[design]);
-    } else {
-      return limit.satisfied_when_absent;  // never had a value so far
-    }
-    return limit.lower <= value && value <= limit.upper;
-  });
-}
-
-void Gain::draw(const Input& input) {
-  const Eigen::MatrixXd inputs = problem_.space.features(designs_);
-  samples_.resize(problem_.metrics.size());
-  for (std::size_t metric = 0; metric < samples_.size(); ++metric) {
-    const auto* process = models_.process(metric);
-    if (process == nullptr) continue;
-    samples_[metric] = std::make_unique<surrogate::PosteriorSamples>(*process, inputs, n_samples_,
-                                                                     input.seed + 104729 * metric);
-  }
-  std::vector<Eigen::MatrixXd> objectives;
-  std::vector<Eigen::VectorXi> feasible;
-  for (int s = 0; s < n_samples_; ++s) {
-    Eigen::MatrixXd y(index(designs_.size()), index(objectives_.size()));
-    Eigen::VectorXi meets(index(designs_.size()));
-    std::vector<math::Objectives> good;
-    for (std::size_t k = 0; k < designs_.size(); ++k) {
-      for (std::size_t j = 0; j < objectives_.size(); ++j) {
-        const ObjectiveView& view = objectives_[j];
-        y(index(k), index(j)) = view.process != nullptr
-                                    ? view.sign * samples(view.metric)->values()(s, index(k))
-                                    : view.to_view(exact(view.metric, designs_[k]));
-        // A draw beyond what is possible would leave no room for an improvement there.
-        y(index(k), index(j)) = std::max(y(index(k), index(j)), ideal_[index(j)]);
-      }
-      meets[index(k)] = limits_met(k, s) ? 1 : 0;
-      if (meets[index(k)] == 1) good.emplace_back(y.row(index(k)).transpose());
-    }
-    mean_hypervolume_ += math::hypervolume(good, reference_) / n_samples_;
-    objectives.push_back(std::move(y));
-    feasible.push_back(std::move(meets));
-  }
-  front_.emplace(objectives, feasible, reference_, ideal_);
-}
-
 double Gain::noise_volume() const {
   double volume = 1.0;
   for (const ObjectiveView& view : objectives_) {
-    if (view.process != nullptr) volume *= view.process->noise();
+    if (view.process == nullptr) continue;
+    // The slope of the transform at the middle of the data, in model units.
+    volume *= view.deviation(0.0, view.process->noise());
   }
   return volume;
 }
 
-Gain::Given Gain::predict(const std::vector<Point>& xs) const {
-  Given given{.means = std::vector<Eigen::MatrixXd>(samples_.size()),
-              .deviations = std::vector<Eigen::VectorXd>(samples_.size()),
-              .log_success = {}};
+/// Whether a goal hangs on a metric.
+bool Gain::wanted(std::size_t metric) const {
+  const auto of_limit = [&](const LimitView& l) { return l.metric == metric; };
+  const auto of_objective = [&](const ObjectiveView& o) { return o.metric == metric; };
+  return samples_[metric] != nullptr &&
+         (std::any_of(limits_.begin(), limits_.end(), of_limit) ||
+          std::any_of(objectives_.begin(), objectives_.end(), of_objective));
+}
+
+Gain::Prepared Gain::prepare(std::vector<Point> xs) const {
+  Prepared prepared;
+  prepared.inputs.resize(samples_.size());
   const Eigen::MatrixXd inputs = problem_.space.features(xs);
-  const auto wanted = [&](std::size_t metric) {
-    const auto of_limit = [&](const LimitView& l) { return l.metric == metric; };
-    const auto of_objective = [&](const ObjectiveView& o) { return o.metric == metric; };
-    return std::any_of(limits_.begin(), limits_.end(), of_limit) ||
-           std::any_of(objectives_.begin(), objectives_.end(), of_objective);
-  };
+  prepared.xs = std::move(xs);
   for (std::size_t metric = 0; metric < samples_.size(); ++metric) {
-    if (!samples_[metric] || !wanted(metric)) continue;
-    samples_[metric]->predict(inputs, given.means[metric], given.deviations[metric]);
+    if (wanted(metric)) prepared.inputs[metric] = samples_[metric]->prepare(inputs);
+  }
+  prepared.log_success = models_.log_success(inputs);
+  if (level_cost_.size() == 1) return prepared;
+  for (std::size_t level = 0; level < level_cost_.size(); ++level) {
+    auto& shares = prepared.shares.emplace_back(samples_.size());
+    for (std::size_t metric = 0; metric < samples_.size(); ++metric) {
+      if (!wanted(metric)) continue;
+      shares[metric] = informative_share(*models_.process(metric), inputs, static_cast<int>(level));
+    }
+  }
+  return prepared;
+}
+
+Gain::Given Gain::predict(const Prepared& prepared) const {
+  Given given{.means = std::vector<Eigen::MatrixXd>(samples_.size()),
+              .deviations = std::vector<Eigen::VectorXd>(samples_.size())};
+  for (std::size_t metric = 0; metric < samples_.size(); ++metric) {
+    if (!wanted(metric)) continue;
+    samples_[metric]->predict(prepared.inputs[metric], given.means[metric],
+                              given.deviations[metric]);
     given.deviations[metric] = given.deviations[metric].cwiseMax(0.0).cwiseSqrt();
   }
-  given.log_success = models_.log_success(inputs);
   return given;
 }
 
-Eigen::VectorXd Gain::log_feasible(const Given& given, Eigen::Index k, const Point& x,
-                                   bool all_limits) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(n_samples_);
+Eigen::VectorXd Gain::log_feasible(const Prepared& prepared, const Given& given, Eigen::Index k,
+                                   bool all_limits, std::size_t level, int draws) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(draws);
   for (const LimitView& limit : limits_) {
     if (limit.in_reference && !all_limits) continue;
     const Eigen::MatrixXd& mean = given.means[limit.metric];
     if (mean.size() == 0) {
       if (!problem_.metrics[limit.metric].exact) continue;  // never had a value so far
-      const double value = exact(limit.metric, x);
+      const double value = exact(limit.metric, prepared.xs[static_cast<std::size_t>(k)]);
       if (value < limit.lower || value > limit.upper) result.setConstant(-infinity);
       continue;
     }
-    for (Eigen::Index s = 0; s < n_samples_; ++s) {
+    const double deviation = given.deviations[limit.metric][k];
+    const double shown = prepared.shown(level, limit.metric, k);
+    for (Eigen::Index s = 0; s < draws; ++s) {
+      const bool met = limit.lower <= mean(s, k) && mean(s, k) <= limit.upper;
       result[s] += acquisition::log_probability_within(
-          mean(s, k), given.deviations[limit.metric][k], limit.lower, limit.upper);
+          mean(s, k), met ? deviation : deviation * shown, limit.lower, limit.upper);
     }
   }
   return result;
 }
 
-Eigen::VectorXd Gain::log_gain(const std::vector<Point>& xs) const {
-  const Given given = predict(xs);
+Eigen::VectorXd Gain::log_gain(const Prepared& prepared, const Given& given, std::size_t level,
+                               int draws) const {
   const bool only_feasibility = !front_->any_feasible() && !limits_.empty();
-  const Eigen::Index n_objectives = index(objectives_.size());
-  Eigen::VectorXd result = given.log_success;
-  Eigen::MatrixXd y(n_samples_, n_objectives);
-  Eigen::VectorXd deviation(n_objectives);
+  const Eigen::Index n_objectives = as_index(objectives_.size());
+  Eigen::VectorXd result = prepared.log_success;
+  Eigen::MatrixXd y(draws, n_objectives), deviation(draws, n_objectives);
   for (Eigen::Index k = 0; k < result.size(); ++k) {
-    const Point& x = xs[static_cast<std::size_t>(k)];
-    const Eigen::VectorXd feasible = log_feasible(given, k, x, only_feasibility);
+    const Point& x = prepared.xs[static_cast<std::size_t>(k)];
+    const Eigen::VectorXd feasible =
+        log_feasible(prepared, given, k, only_feasibility, level, draws);
     if (only_feasibility) {
       result[k] += acquisition::log_mean(feasible);
       continue;
@@ -273,28 +177,57 @@ Eigen::VectorXd Gain::log_gain(const std::vector<Point>& xs) const {
     for (Eigen::Index j = 0; j < n_objectives; ++j) {
       const ObjectiveView& view = objectives_[static_cast<std::size_t>(j)];
       if (view.process != nullptr) {
-        y.col(j) = view.sign * given.means[view.metric].col(k);
-        deviation[j] = given.deviations[view.metric][k];
+        const double sd = given.deviations[view.metric][k] * prepared.shown(level, view.metric, k);
+        for (Eigen::Index s = 0; s < draws; ++s) {
+          const double z = given.means[view.metric](s, k);
+          y(s, j) = view.from_model(z);
+          deviation(s, j) = view.deviation(z, sd);
+        }
       } else {
         y.col(j).setConstant(view.to_view(exact(view.metric, x)));
-        deviation[j] = 0.0;
+        deviation.col(j).setZero();
       }
     }
-    result[k] += front_->log_improvement(y, deviation, feasible);
+    result[k] += front_->log_improvement_by_draw(y, deviation, feasible);
   }
   return result;
 }
 
+Gain::Value Gain::screen(const std::vector<Point>& xs) const {
+  constexpr int few_draws = 8;
+  return value(prepare(xs), std::min(few_draws, n_samples_));
+}
+
+Gain::Value Gain::value(const Prepared& prepared, int draws) const {
+  const Given given = predict(prepared);
+  Value best{.log_gain_per_cost = {}, .level = std::vector<int>(prepared.xs.size(), 0)};
+  for (std::size_t level = 0; level < level_cost_.size(); ++level) {
+    const Eigen::VectorXd here =
+        log_gain(prepared, given, level, draws).array() - std::log(level_cost_[level]);
+    if (level == 0) {
+      best.log_gain_per_cost = here;
+      continue;
+    }
+    for (Eigen::Index k = 0; k < here.size(); ++k) {
+      if (!(here[k] > best.log_gain_per_cost[k])) continue;
+      best.log_gain_per_cost[k] = here[k];
+      best.level[static_cast<std::size_t>(k)] = static_cast<int>(level);
+    }
+  }
+  return best;
+}
+
 Eigen::VectorXd Gain::log_ignorance(const std::vector<Point>& xs) const {
-  const Given given = predict(xs);
-  Eigen::VectorXd result = given.log_success;
+  const Prepared prepared = prepare(xs);
+  const Given given = predict(prepared);
+  Eigen::VectorXd result = prepared.log_success;
   for (Eigen::Index k = 0; k < result.size(); ++k) {
-    const Point& x = xs[static_cast<std::size_t>(k)];
     double largest = 0.0;
     for (const ObjectiveView& view : objectives_) {
       if (view.process != nullptr) largest = std::max(largest, given.deviations[view.metric][k]);
     }
-    result[k] += 2.0 * std::log(largest) + acquisition::log_mean(log_feasible(given, k, x, true));
+    result[k] += 2.0 * std::log(largest) +
+                 acquisition::log_mean(log_feasible(prepared, given, k, true, 0, n_samples_));
   }
   return result;
 }

@@ -5,19 +5,18 @@
 #include <set>
 
 namespace parapet::bayesian {
-namespace {
-
-/// Share of the finest level's unknown that an observation at this level would settle, 0 .. 1.
-double informative_share(const surrogate::GaussianProcess& process, const Eigen::MatrixXd& input,
-                         int level) {
-  const double correlation = process.correlation_squared(input, level)[0];
-  const double variance = process.predict(input, level).variance[0];
+Eigen::VectorXd informative_share(const surrogate::GaussianProcess& process,
+                                  const Eigen::MatrixXd& inputs, int level) {
+  Eigen::VectorXd share = process.correlation_squared(inputs, level);
+  const Eigen::VectorXd variance = process.predict(inputs, level).variance;
   const double noise = process.noise(level) * process.noise(level);
-  if (!(variance > 0.0)) return 0.0;
-  return std::clamp(correlation, 0.0, 1.0) * variance / (variance + noise);
+  for (Eigen::Index k = 0; k < share.size(); ++k) {
+    share[k] = variance[k] > 0.0
+                   ? std::clamp(share[k], 0.0, 1.0) * variance[k] / (variance[k] + noise)
+                   : 0.0;
+  }
+  return share;
 }
-
-}  // namespace
 
 int choose_level(const Problem& problem, const Models& models, const Point& x,
                  const std::vector<double>& seconds, const std::vector<bool>& taken) {
@@ -33,7 +32,7 @@ int choose_level(const Problem& problem, const Models& models, const Point& x,
     double share = 1.0;
     for (const std::size_t metric : metrics) {
       const auto* process = models.process(metric);
-      if (process != nullptr) share = std::min(share, informative_share(*process, input, level));
+      if (process != nullptr) share = std::min(share, informative_share(*process, input, level)[0]);
     }
     const double value = share / std::max(seconds[l], 1e-12);
     if (value > best_value) {

@@ -48,23 +48,27 @@ std::vector<Candidate> different(const Space& space, const std::vector<Candidate
 
 }  // namespace
 
-std::optional<Candidate> maximize_gain(const MaximizeInput& input, const Space& space,
-                                       Candidates& candidates) {
+std::optional<Maximum> maximize_gain(const MaximizeInput& input, const Space& space,
+                                     Candidates& candidates) {
   const std::size_t n = space.size();
-  std::vector<Point> xs = candidates.spread(std::min<std::size_t>(100 * n, 400));
+  const auto share = [&](std::size_t count) {
+    return static_cast<std::size_t>(std::lround(input.effort * static_cast<double>(count)));
+  };
+  std::vector<Point> xs = candidates.spread(share(std::min<std::size_t>(100 * n, 400)));
   const std::size_t around_each =
-      input.centers.empty() ? 0 : std::max<std::size_t>(4, 240 / input.centers.size());
+      input.centers.empty() ? 0 : std::max<std::size_t>(4, share(240) / input.centers.size());
   for (const Point& center : input.centers) {
     for (const double reach : {0.2, 0.05}) {
       for (Point& x : candidates.around(center, reach, around_each / 2)) xs.push_back(std::move(x));
     }
   }
-  xs.insert(xs.end(), input.extra.begin(), input.extra.end());
   std::erase_if(xs, input.repeated);
   std::vector<Candidate> screened = weighed(input.screen, std::move(xs));
   best_first(screened);
 
-  constexpr std::size_t n_climbers = 5, steps_each = 16;
+  constexpr std::size_t n_pool = 32;
+  const std::size_t n_climbers = std::max<std::size_t>(2, share(5));
+  const std::size_t steps_each = std::max<std::size_t>(8, share(16));
   std::vector<Point> starts;
   for (const Candidate& c : different(space, screened, 3 * n_climbers)) starts.push_back(c.x);
   std::vector<Candidate> sorted = weighed(input.gain, std::move(starts));
@@ -84,7 +88,10 @@ std::optional<Candidate> maximize_gain(const MaximizeInput& input, const Space& 
     if (reach <= 0.02 && sorted.size() > 2) sorted.resize(2);
   }
   best_first(sorted);
-  return sorted.front();
+  Maximum maximum{.best = sorted.front(), .pool = {}};
+  for (std::size_t k = 1; k < sorted.size(); ++k) maximum.pool.push_back(sorted[k].x);
+  for (const Candidate& c : different(space, screened, n_pool)) maximum.pool.push_back(c.x);
+  return maximum;
 }
 
 }  // namespace parapet::bayesian

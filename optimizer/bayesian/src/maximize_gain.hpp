@@ -21,13 +21,17 @@ struct MaximizeInput {
   LogGain screen;              ///< cheap, for the many
   LogGain gain;                ///< exact, for the few
   std::vector<Point> centers;  ///< designs to look around: the front and what is promising
-  std::vector<Point> extra;    ///< designs to look at as they are
   std::function<bool(const Point& x)> repeated;  ///< already evaluated, or nearly
+  double effort = 1.0;                           ///< share of the usual number of candidates
 };
 
 /// Screens designs spread over the space and around the centers, then climbs from the best few with
 /// steps that shrink. Repeated designs are passed over. Empty when all designs are repeated.
-std::optional<Candidate> maximize_gain(const MaximizeInput& input, const Space& space,
-                                       Candidates& candidates);
+struct Maximum {
+  Candidate best;
+  std::vector<Point> pool;  ///< other good designs, no neighbours of each other: for the next asks
+};
+std::optional<Maximum> maximize_gain(const MaximizeInput& input, const Space& space,
+                                     Candidates& candidates);
 
 }  // namespace parapet::bayesian

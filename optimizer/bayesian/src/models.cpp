@@ -14,8 +14,9 @@ Models::Models(const Problem& problem, std::uint64_t seed)
       fits_(problem.metrics.size(), 0) {}
 
 bool Models::due(std::size_t n_data, std::size_t& fitted_at) const {
-  constexpr std::size_t always_until = 30;
-  const std::size_t wait = n_data <= always_until ? 1 : std::max<std::size_t>(2, n_data / 20);
+  constexpr std::size_t always_until = 30, many = 150;
+  const std::size_t share = n_data <= many ? 20 : 10;
+  const std::size_t wait = n_data <= always_until ? 1 : std::max<std::size_t>(2, n_data / share);
   if (n_data < fitted_at + wait) return false;
   fitted_at = n_data;
   return true;
@@ -61,7 +62,8 @@ void Models::update_process(std::size_t metric, const std::vector<Told>& told) {
   const bool forgets = !process || unfit || (fits && fits_[metric] % 5 == 0);
   if (!forgets) options.warm_start = process->parameters();
   options.keep_parameters = !fits;
-  options.starts = forgets ? 4 : 2;
+  constexpr std::size_t many = 150;  // of which one start is enough
+  options.starts = forgets ? 4 : (values.size() <= many ? 2 : 1);
   fits_[metric] += fits ? 1 : 0;
   process = surrogate::GaussianProcess::fit(layout_, data, options);
 }

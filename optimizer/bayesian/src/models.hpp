@@ -15,8 +15,8 @@ class Models {
   Models(const Problem& problem, std::uint64_t seed);
 
   /// Brings the surrogates up to date with what was told. Parameters are fitted anew while there
-  /// are few data, and later each time the data have grown by a twentieth; in between the processes
-  /// are conditioned on the new data with the parameters that they have.
+  /// are few data, and later each time the data have grown by a twentieth (many: a tenth); in
+  /// between the processes are conditioned on the new data with the parameters that they have.
   void update(const std::vector<Told>& told);
 
   /// Null for an exact metric and for one without data.

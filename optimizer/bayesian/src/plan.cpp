@@ -7,6 +7,9 @@
 namespace parapet::bayesian {
 namespace {
 
+/// With several levels: every so many of the initial designs at the finest and at those between.
+constexpr std::size_t share_of_finest = 12, share_between = 3;
+
 /// Enough to see a slope in every variable, at most a third of the budget.
 std::size_t initial_count(const Problem& problem, const SearchOptions& options) {
   if (options.initial_designs > 0) return static_cast<std::size_t>(options.initial_designs);
@@ -19,7 +22,7 @@ std::size_t initial_count(const Problem& problem, const SearchOptions& options) 
 
 /// The user's starts at the finest level, then designs spread over the allowed space. With several
 /// levels the coarsest gets them all, half as many more than there would be with one, and the
-/// finest a third of these, so that the levels can be compared.
+/// finest a twelfth of these, so that the levels can be compared; those between a third.
 void Search::State::make_plan() {
   planned = true;
   for (const Point& start : options.starts) {
@@ -55,7 +58,10 @@ void Search::State::make_plan() {
     left -= known(spread[k]) ? 0 : 1;
     // Levels that are there already are passed over when their turn comes.
     plan.push_back({spread[k], coarsest, "initial"});
-    if (several_levels && k % 3 == 0) plan.push_back({spread[k], 0, "initial"});
+    for (int level = coarsest - 1; level >= 0; --level) {
+      if (k % (level == 0 ? share_of_finest : share_between) != 0) continue;
+      plan.push_back({spread[k], level, "initial"});
+    }
   }
 }
 

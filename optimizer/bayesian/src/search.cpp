@@ -75,6 +75,7 @@ void Search::tell(int id, const Observation& observation) {
   state_->check_point(suggestion.x, suggestion.level, observation);
   state_->pending.erase(found);
   state_->add_told(id, suggestion.x, suggestion.level, observation);
+  state_->told.back().local = suggestion.stage == "local";
 }
 
 int Search::tell_external(const Point& x, int level, const Observation& observation) {

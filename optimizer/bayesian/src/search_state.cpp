@@ -6,19 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "level_choice.hpp"
-#include "maximize_gain.hpp"
 #include "parapet/math/pareto.hpp"
 #include "reference_point.hpp"
 
 namespace parapet::bayesian {
 namespace {
-
-constexpr int screening_samples = 8;
-
-/// When the surrogates expect less than this share of the hypervolume, every other evaluation tests
-/// the surrogates themselves: few data may make them sure of too much.
-constexpr double share_that_doubts = 1e-4;
 
 constexpr double not_computed = -1.0;
 
@@ -120,14 +112,19 @@ std::vector<double> Search::State::level_seconds() const {
   return seconds;
 }
 
+/// Of what was told and is pending.
+double Search::State::expected_cost() const {
+  const std::vector<double> seconds = level_seconds();
+  double expected = spent;
+  for (const auto& [id, s] : pending) expected += seconds[static_cast<std::size_t>(s.level)];
+  return expected;
+}
+
 bool Search::State::out_of_budget() {
   if (remaining() <= 0) stop = StopReason::budget;
   if (const double limit = cost_limit(); std::isfinite(limit)) {
-    const std::vector<double> seconds = level_seconds();
-    double expected = spent;
-    for (const auto& [id, s] : pending) expected += seconds[static_cast<std::size_t>(s.level)];
     constexpr double rounding = 1e-9;  // of a sum of equal costs
-    if (expected >= limit * (1.0 - rounding)) stop = StopReason::seconds;
+    if (expected_cost() >= limit * (1.0 - rounding)) stop = StopReason::seconds;
   }
   return stop != StopReason::none;
 }
@@ -163,20 +160,17 @@ Suggestion Search::State::issue(Point x, int level, std::string stage, double lo
 bool Search::State::near(const Point& a, const Point& b) const {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::isnan(a[i]) != std::isnan(b[i])) return false;
-  }
-  const auto u = problem.space.to_unit(a), v = problem.space.to_unit(b);
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const bool whole = problem.space.variables()[i].kind != VariableKind::continuous;
-    const double within = whole ? 0.0 : options.duplicate_distance;
-    if (std::abs(u[i] - v[i]) > within) return false;
+    const Variable& v = problem.space.variables()[i];
+    const bool whole = v.kind != VariableKind::continuous;
+    const double within = whole ? 0.0 : options.duplicate_distance * (v.upper - v.lower);
+    if (std::abs(a[i] - b[i]) > within) return false;
   }
   return true;
 }
 
 bool Search::State::repeated(const Point& x) const {
   const auto here = [&](const auto& other) { return near(x, other.x); };
-  return std::any_of(told.begin(), told.end(),
-                     [&](const Told& t) { return (t.level == 0 || !t.ok) && here(t); }) ||
+  return std::any_of(told.begin(), told.end(), [&](const Told& t) { return here(t); }) ||
          std::any_of(pending.begin(), pending.end(), [&](const auto& p) { return here(p.second); });
 }
 
@@ -191,16 +185,15 @@ std::vector<bool> Search::State::levels_taken(const Point& x) const {
   return taken;
 }
 
-/// The end of the budget is kept for the finest level: what coarse levels promise must be
-/// confirmed.
+/// The end of the budget is kept for the finest level: what coarse levels promise of the
+/// recommended design and its neighbours is confirmed.
 bool Search::State::confirming() const {
   if (problem.levels.size() == 1) return false;
   const int first_budget = planned_evaluations(options);
-  const int reserve = std::clamp(first_budget / 6, 1, 10);
   const int used = static_cast<int>(told.size() + pending.size());
-  if (remaining() <= reserve) return true;
-  if (first_budget - reserve <= used && used < first_budget) return true;
-  return cost_limit() - spent <= reserve * level_seconds().front();
+  if (remaining() <= confirmations) return true;
+  if (first_budget - confirmations <= used && used < first_budget) return true;
+  return cost_limit() - expected_cost() < (confirmations + 0.5) * level_seconds().front();
 }
 
 bool Search::State::can_model() const {
@@ -225,83 +218,17 @@ std::optional<Suggestion> Search::State::ask() {
   }
   update_models();
   if (!can_model()) return suggest_far_away();
-  return suggest_gain();
-}
-
-/// Once may be a surrogate's mistake that the next answer mends; three times running counts.
-bool Search::State::gain_is_small(double expected, const Gain& gain) {
-  constexpr int times_that_count = 3;
-  if (options.least_gain <= 0.0 || !gain.any_feasible()) return false;
-  // The surrogate sees through noise to about a tenth of it; below that nothing can be learnt.
-  const double unseen = 0.1 * gain.noise_volume();
-  const double least = std::max(options.least_gain * gain.mean_hypervolume(), unseen);
-  small_gains = expected < least ? small_gains + 1 : 0;
-  return small_gains >= times_that_count;
-}
-
-/// The design of which the surrogates know least, weighed by the chances of success and
-/// feasibility.
-std::optional<Suggestion> Search::State::suggest_unknown(const Gain& gain, Candidates& candidates) {
-  std::vector<Point> xs = candidates.spread(512);
-  std::erase_if(xs, [&](const Point& x) { return repeated(x); });
-  if (xs.empty()) return std::nullopt;
-  Eigen::Index most = 0;
-  gain.log_ignorance(xs).maxCoeff(&most);
-  return issue(std::move(xs[static_cast<std::size_t>(most)]), 0, "explore", 0.0);
-}
-
-std::optional<Suggestion> Search::State::suggest_gain() {
-  std::vector<Suggestion> waiting;
-  for (const auto& [id, suggestion] : pending) waiting.push_back(suggestion);
-  const auto reference = reference_point(problem, told, options.feasibility_tolerance);
-  if (!reference) return suggest_far_away();
-  const auto stream = static_cast<std::uint64_t>(next_id) + 1;
-  Gain::Input input{.problem = problem,
-                    .models = models,
-                    .told = told,
-                    .pending = waiting,
-                    .reference = *reference,
-                    .n_samples = options.samples,
-                    .seed = options.seed * 1000003ULL + stream,
-                    .tolerance = options.feasibility_tolerance};
-  const Gain gain(input);
-  input.n_samples = std::min(screening_samples, options.samples);
-  const Gain screen(input);
-
-  MaximizeInput search;
-  search.gain = [&](const std::vector<Point>& xs) { return gain.log_gain(xs); };
-  search.screen = [&](const std::vector<Point>& xs) { return screen.log_gain(xs); };
-  search.repeated = [&](const Point& x) { return repeated(x); };
-  search.centers = gain.front_designs();
-  for (const Told& t : told) {
-    if (t.ok && t.level > 0 && !repeated(t.x)) search.extra.push_back(t.x);
-  }
-  Candidates candidates(problem, options.feasibility_tolerance, options.seed, stream);
-  auto best = maximize_gain(search, problem.space, candidates);
-  if (!best) return nothing_left();
-
-  if (gain_is_small(std::exp(best->log_gain), gain)) {
-    if (pending.empty()) stop = StopReason::small_gain;
-    return std::nullopt;
-  }
-  if (std::exp(best->log_gain) < share_that_doubts * gain.mean_hypervolume() && next_id % 2 == 0) {
-    if (auto suggestion = suggest_unknown(gain, candidates)) return suggestion;
-  }
-  if (problem.levels.size() == 1) return issue(std::move(best->x), 0, "search", best->log_gain);
-  // What was evaluated coarsely nearby is meant, to the bit: the levels share designs.
-  bool known = false;
-  for (const Told& t : told) {
-    if (t.level > 0 && near(best->x, t.x)) {
-      best->x = t.x;
-      known = true;
-      break;
+  if (confirming()) {
+    if (auto suggestion = suggest_confirmation()) return suggestion;
+    // What is left does not pay for an evaluation at the finest level, and there is no use in
+    // others.
+    if (cost_limit() - expected_cost() < level_seconds().front()) {
+      if (pending.empty()) stop = StopReason::seconds;
+      return std::nullopt;
     }
   }
-  const int level =
-      confirming() ? 0
-                   : choose_level(problem, models, best->x, level_seconds(), levels_taken(best->x));
-  const bool confirms = level == 0 && known;
-  return issue(std::move(best->x), level, confirms ? "confirm" : "search", best->log_gain);
+  if (auto suggestion = suggest_local()) return suggestion;
+  return suggest_gain();
 }
 
 }  // namespace parapet::bayesian

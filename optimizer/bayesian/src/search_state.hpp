@@ -2,7 +2,10 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <map>
+#include <memory>
+#include <set>
 
 #include "candidates.hpp"
 #include "gain.hpp"
@@ -17,6 +20,10 @@ inline int planned_evaluations(const SearchOptions& options) {
   return options.planned_evaluations > 0 ? options.planned_evaluations : options.max_evaluations;
 }
 
+/// Evaluations at the finest level that several levels keep for the end: the recommended design and
+/// its neighbours on the front.
+inline constexpr int confirmations = 3;
+
 /// A design that is to be evaluated before the surrogates are asked.
 struct Planned {
   Point x;
@@ -26,6 +33,19 @@ struct Planned {
 
 struct Search::State {
   State(Problem the_problem, SearchOptions the_options);
+
+  /// What the questions between two answers share.
+  struct Round {
+    std::size_t told = 0;
+    Gain gain;
+    Gain::Prepared pool;
+    std::set<int> seen = {};  // pending evaluations that are in the gain's draws
+  };
+  struct Best {
+    Point x;
+    int level = 0;
+    double log_gain_per_cost = 0.0;
+  };
 
   Problem problem;
   SearchOptions options;
@@ -40,7 +60,10 @@ struct Search::State {
   std::optional<Models> view;
   std::size_t viewed = 0;    // told then
   std::size_t modelled = 0;  // told when `models` was last updated
+  std::unique_ptr<Round> round;
   StopReason stop = StopReason::none;
+  double last_gain = std::numeric_limits<double>::infinity();  // expected of the last global one
+  int local_steps = 0;                                         // asked so far
   int small_gains = 0;    // expected gains below the least, running
   double spent = 0.0;     // [s]
   double own_time = 0.0;  // [s]
@@ -55,6 +78,7 @@ struct Search::State {
 
   std::optional<Suggestion> ask();
   bool out_of_budget();
+  double expected_cost() const;
   bool stagnates() const;
   bool gain_is_small(double expected, const Gain& gain);
   int remaining() const;
@@ -66,12 +90,17 @@ struct Search::State {
   bool can_model() const;
   std::optional<Suggestion> suggest_far_away();
   std::optional<Suggestion> suggest_gain();
+  std::optional<Best> begin_round(const Eigen::VectorXd& reference);
+  std::optional<Best> continue_round();
+  std::vector<double> level_cost() const;
   std::optional<Suggestion> suggest_unknown(const Gain& gain, Candidates& candidates);
+  std::optional<Suggestion> suggest_local();
+  std::optional<Suggestion> suggest_confirmation();
   std::optional<Suggestion> nothing_left();
   Suggestion issue(Point x, int level, std::string stage, double log_gain);
 
   bool near(const Point& a, const Point& b) const;
-  bool repeated(const Point& x) const;                   // at the finest level, or pending
+  bool repeated(const Point& x) const;                   // told at any level, or pending
   std::vector<bool> levels_taken(const Point& x) const;  // [n_levels]
   bool confirming() const;
 };

@@ -15,6 +15,7 @@ struct Told {
   bool ok = false;
   std::vector<std::optional<double>> values;  ///< [n_metrics], exact ones filled in
   double seconds = 0.0;
+  bool local = false;  ///< asked for as a local step
 };
 
 /// Whether every limit is met by these values; a metric without a value counts as the limit says.

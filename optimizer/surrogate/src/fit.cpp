@@ -25,8 +25,7 @@ struct Budget {
 Budget budget(Eigen::Index n) {
   if (n <= 60) return {40, 150};
   if (n <= 150) return {20, 80};
-  if (n <= 600) return {10, 40};
-  return {5, 25};
+  return {4, 10};
 }
 
 SmoothFunction negative(const MarginalLikelihood& likelihood) {
@@ -51,18 +50,18 @@ std::vector<Eigen::VectorXd> starting_points(const ParameterVector& vector, cons
   return points;
 }
 
-/// Every k-th observation, so that no more than `most` are left.
+/// No more than `most` observations, evenly spaced in their order.
 Data thinned(const Data& data, Eigen::Index most) {
   const Eigen::Index n = data.values.size();
-  const Eigen::Index step = (n + most - 1) / most;
+  const Eigen::Index count = std::min(n, most);
   Data part;
-  const Eigen::Index count = (n + step - 1) / step;
   part.inputs.resize(count, data.inputs.cols());
   part.values.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    part.inputs.row(i) = data.inputs.row(i * step);
-    part.values(i) = data.values(i * step);
-    part.levels.push_back(data.levels[static_cast<std::size_t>(i * step)]);
+    const Eigen::Index from = i * n / count;
+    part.inputs.row(i) = data.inputs.row(from);
+    part.values(i) = data.values(from);
+    part.levels.push_back(data.levels[static_cast<std::size_t>(from)]);
   }
   return part;
 }
@@ -142,7 +141,7 @@ std::vector<LevelParameters> likeliest_parameters(const Layout& layout, const Da
   const Data part = thinned({data.inputs, z, data.levels}, most_for_parameters);
   const MarginalLikelihood likelihood(layout, part.inputs, part.values, part.levels, priors);
   const SmoothFunction function = negative(likelihood);
-  const Budget calls = budget(part.values.size());
+  const Budget calls = budget(z.size());
   Descent best;
   best.value = std::numeric_limits<double>::infinity();
   for (const Eigen::VectorXd& start : starting_points(vector, priors, options)) {

@@ -10,7 +10,7 @@ inline constexpr double tolerance_nats = 1e-3;
 
 /// A handful of parameters does not need more observations, and each likelihood costs their number
 /// cubed; the process itself is conditioned on all of them.
-inline constexpr int most_for_parameters = 800;
+inline constexpr int most_for_parameters = 150;
 
 /// The same for outcomes, of which one call costs several times as much.
 inline constexpr int most_outcomes_for_parameters = 400;

@@ -78,6 +78,17 @@ void check_options(const Layout& layout, const FitOptions& options) {
   if (options.warm_start) check_warm_start(layout, *options.warm_start);
 }
 
+/// Covariance of f_0(x) and f_level(x) before any data.
+double prior_cross(const std::vector<LevelParameters>& levels, int level) {
+  const Eigen::MatrixXd shares = process_shares(levels);
+  double sum = 0.0;
+  for (auto k = static_cast<std::size_t>(level); k < levels.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    sum += shares(0, column) * shares(level, column) * levels[k].amplitude * levels[k].amplitude;
+  }
+  return sum;
+}
+
 OutputTransform choose_transform(const Layout& layout, const Data& data,
                                  const FitOptions& options) {
   if (options.keep_parameters) return options.warm_start->transform;
@@ -189,6 +200,14 @@ Prediction GaussianProcess::predict(const Eigen::MatrixXd& inputs, int level) co
   return prediction;
 }
 
+Eigen::VectorXd GaussianProcess::predict_mean(const Eigen::MatrixXd& inputs, int level) const {
+  require_features(inputs, level);
+  const Eigen::MatrixXd k =
+      prior_covariance(layout_, parameters_.levels, data_.inputs, data_.levels, inputs, level);
+  return (k.transpose() * weights_).array() +
+         parameters_.levels[static_cast<std::size_t>(level)].mean;
+}
+
 JointPrediction GaussianProcess::joint(const Eigen::MatrixXd& inputs, int level) const {
   JointPrediction prediction;
   prediction.mean = predict(inputs, level).mean;
@@ -212,17 +231,12 @@ Eigen::VectorXd GaussianProcess::correlation_squared(const Eigen::MatrixXd& inpu
   require_features(inputs, level);
   if (level == 0) return Eigen::VectorXd::Ones(inputs.rows());
   const Eigen::MatrixXd fine = whitened(inputs, 0), coarse = whitened(inputs, level);
-  const Eigen::MatrixXd shares = process_shares(parameters_.levels);
-  double prior_cross = 0.0;
-  for (int k = level; k < layout_.n_levels; ++k) {
-    const double amplitude = parameters_.levels[static_cast<std::size_t>(k)].amplitude;
-    prior_cross += shares(0, k) * shares(level, k) * amplitude * amplitude;
-  }
+  const double cross_prior = prior_cross(parameters_.levels, level);
   const double fine_prior = prior_variance(parameters_.levels, 0);
   const double coarse_prior = prior_variance(parameters_.levels, level);
   Eigen::VectorXd squared(inputs.rows());
   for (Eigen::Index j = 0; j < inputs.rows(); ++j) {
-    const double cross = prior_cross - fine.col(j).dot(coarse.col(j));
+    const double cross = cross_prior - fine.col(j).dot(coarse.col(j));
     const double product =
         (fine_prior - fine.col(j).squaredNorm()) * (coarse_prior - coarse.col(j).squaredNorm());
     // Where either is known but for rounding, the coarse level has nothing left to tell.
@@ -230,6 +244,13 @@ Eigen::VectorXd GaussianProcess::correlation_squared(const Eigen::MatrixXd& inpu
     squared(j) = known ? 0.0 : std::min(1.0, cross * cross / product);
   }
   return squared;
+}
+
+double GaussianProcess::level_correlation(int level) const {
+  require(level >= 0 && level < layout_.n_levels, "no level " + std::to_string(level));
+  const double product =
+      prior_variance(parameters_.levels, 0) * prior_variance(parameters_.levels, level);
+  return product > 0.0 ? prior_cross(parameters_.levels, level) / std::sqrt(product) : 0.0;
 }
 
 LeaveOneOut GaussianProcess::leave_one_out() const {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "parapet/solver/metric_catalog.hpp"
+#include "parapet/study/knee.hpp"
 #include "parapet/study/problem.hpp"
 #include "parapet/study/scoring.hpp"
 #include "parapet/study/simulator.hpp"
@@ -229,6 +230,12 @@ bayesian::SearchOptions make_search_options(const designs::StudySpec& study) {
   options.max_finest = study.method.max_finest_runs / static_cast<double>(event_count(study));
   options.stagnation_evaluations = study.method.stagnation_evaluations;
   options.least_gain = study.method.least_gain;
+  // What `parapet recommend` picks where it is told nothing.
+  options.recommend = [](const std::vector<std::vector<double>>& front) {
+    const Knee knee = knee_of(front);
+    const auto farthest = std::ranges::max_element(knee.distance);
+    return static_cast<std::size_t>(farthest - knee.distance.begin());
+  };
   return options;
 }
 

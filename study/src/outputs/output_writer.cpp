@@ -70,9 +70,9 @@ void OutputWriter::write_outputs(const Front& front) {
   folder_.write("pareto.json", pareto_json(study_, front, problem_, search_));
   if (search_ == nullptr) return;
   folder_.write("surrogates.json", surrogates_json(study_, *problem_, *search_));
-  for (const std::string& sentence : surrogate_warnings(*search_)) {
-    const std::string metric = sentence.substr(0, sentence.find(" predicts"));
-    if (warned_.insert(metric).second && hooks_.on_message) hooks_.on_message(sentence);
+  for (const std::string& sentence : surrogate_warnings(*problem_, *search_)) {
+    const std::string without_figures = sentence.substr(0, sentence.find('('));
+    if (warned_.insert(without_figures).second && hooks_.on_message) hooks_.on_message(sentence);
   }
 }
 

@@ -95,6 +95,30 @@ Json design_json(const designs::StudySpec& study, const EvaluationRecord& record
   return json;
 }
 
+/// The front as the surrogates see it: designs known at any spacing, with the uncertainty that is
+/// left of their values at the finest one.
+Json estimated_json(const designs::StudySpec& study, const SearchProblem& problem,
+                    const bayesian::Search& search,
+                    const std::vector<bayesian::Assessed>& assessed) {
+  Json list = Json::array();
+  for (const std::size_t k : search.estimated_front()) {
+    const bayesian::Assessed& one = assessed[k];
+    Json json;
+    json["design"] = to_design(study, problem.problem.space, one.x);
+    json["spacing_m"] = problem.spacings[static_cast<std::size_t>(one.level)];
+    json["objectives"] = Json::array();
+    for (std::size_t j = 0; j < study.objectives.size(); ++j) {
+      Json objective;
+      objective["name"] = objective_name(study.objectives[j]);
+      add_estimate(objective, &one, problem.problem.objectives[j].metric);
+      json["objectives"].push_back(std::move(objective));
+    }
+    json["probability_feasible"] = finite(one.probability_feasible);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 }  // namespace
 
 Json pareto_json(const designs::StudySpec& study, const Front& front, const SearchProblem* problem,
@@ -117,6 +141,9 @@ Json pareto_json(const designs::StudySpec& study, const Front& front, const Sear
     const bayesian::Assessed* view =
         problem == nullptr ? nullptr : find_assessed(study, *problem, assessed, record);
     json["designs"].push_back(design_json(study, record, problem, view));
+  }
+  if (problem != nullptr && search != nullptr) {
+    json["estimated"] = estimated_json(study, *problem, *search, assessed);
   }
   json["hypervolume"] = front.hypervolume;
   json["history"] = Json::array();

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "parapet/records/hashes.hpp"
 #include "parapet/study/front.hpp"
 
@@ -130,6 +132,33 @@ Json metric_json(const SearchProblem& problem, std::size_t metric,
   return json;
 }
 
+/// Whether a goal of the study hangs on a metric.
+bool matters(const bayesian::Problem& problem, std::size_t metric) {
+  const auto of = [&](const auto& goal) { return goal.metric == metric; };
+  return std::any_of(problem.objectives.begin(), problem.objectives.end(), of) ||
+         std::any_of(problem.limits.begin(), problem.limits.end(), of);
+}
+
+std::vector<std::string> level_warnings(const SearchProblem& problem,
+                                        const bayesian::Search& search) {
+  constexpr double least_correlation = 0.7;  // half of the variance
+  std::vector<std::string> sentences;
+  for (std::size_t k = 0; k < problem.metrics.size(); ++k) {
+    const surrogate::GaussianProcess* process = search.surrogate(k);
+    if (process == nullptr || !matters(problem.problem, k)) continue;
+    for (std::size_t level = 1; level < problem.spacings.size(); ++level) {
+      const double correlation = process->level_correlation(static_cast<int>(level));
+      if (correlation >= least_correlation) continue;
+      sentences.push_back(fmt::format(
+          "runs at {:g} mm tell little about {} at {:g} mm (correlation {:.2f}): what is known of "
+          "it rests on the runs at {:g} mm",
+          1000.0 * problem.spacings[level], problem.problem.metrics[k].name,
+          1000.0 * problem.spacings.front(), correlation, 1000.0 * problem.spacings.front()));
+    }
+  }
+  return sentences;
+}
+
 }  // namespace
 
 Json surrogates_json(const designs::StudySpec& study, const SearchProblem& problem,
@@ -157,7 +186,8 @@ Json surrogates_json(const designs::StudySpec& study, const SearchProblem& probl
   return json;
 }
 
-std::vector<std::string> surrogate_warnings(const bayesian::Search& search) {
+std::vector<std::string> surrogate_warnings(const SearchProblem& problem,
+                                            const bayesian::Search& search) {
   constexpr int enough_designs = 15;
   constexpr double least_q_squared = 0.3;
   std::vector<std::string> sentences;
@@ -173,6 +203,7 @@ std::vector<std::string> surrogate_warnings(const bayesian::Search& search) {
                     "designs): do not rely on its estimates",
                     metrics[k].name, q_squared, search.evaluations()));
   }
+  for (const std::string& sentence : level_warnings(problem, search)) sentences.push_back(sentence);
   return sentences;
 }
 

@@ -54,7 +54,7 @@ struct ScenarioRecord {
 /// One evaluated design, as it stands in the log. Numbers keep every bit through the file.
 struct EvaluationRecord {
   std::string id;  ///< "0001", ...
-  /// "start", "initial", "search" and "confirm" (of a search), "sample" (of a design of
+  /// "start", "initial", "search", "local", "explore", "confirm" (a search), "sample" (a design of
   /// experiments), or "external" (parapet evaluate)
   std::string stage;
   designs::Design design;

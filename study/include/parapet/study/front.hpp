@@ -29,8 +29,10 @@ Front make_front(const designs::StudySpec& study,
                  const std::vector<records::EvaluationRecord>& records,
                  const std::vector<double>& reference = {}, bool with_history = true);
 
-/// The content of pareto.json, format "parapet-pareto/1". `search` and `problem` are null for
-/// methods without surrogates: estimates are null then.
+/// The content of pareto.json, format "parapet-pareto/1". `designs` are the front; `estimated`, of
+/// a search, is the front with the designs known through coarser spacings, by their estimates at
+/// the finest one. `search` and `problem` are null for methods without surrogates: estimates are
+/// null then.
 designs::Json pareto_json(const designs::StudySpec& study, const Front& front,
                           const SearchProblem* problem, const bayesian::Search* search);
 
@@ -39,7 +41,10 @@ designs::Json pareto_json(const designs::StudySpec& study, const Front& front,
 designs::Json surrogates_json(const designs::StudySpec& study, const SearchProblem& problem,
                               const bayesian::Search& search);
 
-/// One sentence for each metric whose surrogate explains little of what was left out of it.
-std::vector<std::string> surrogate_warnings(const bayesian::Search& search);
+/// One sentence for each metric whose surrogate explains little of what was left out of it, and for
+/// each limited or weighed metric of which a coarser spacing tells little about the finest one
+/// (loads do so: the correlation is that of the co-kriging model, over all designs).
+std::vector<std::string> surrogate_warnings(const SearchProblem& problem,
+                                            const bayesian::Search& search);
 
 }  // namespace parapet::study

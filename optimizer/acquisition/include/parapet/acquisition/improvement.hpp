@@ -56,6 +56,11 @@ class NoisyFront {
   double log_improvement(const Eigen::MatrixXd& means, const Objectives& sd,
                          const Eigen::VectorXd& log_feasible) const;
 
+  /// The same where the deviation differs from draw to draw, over the first draws alone if there are
+  /// fewer rows: means and deviations [n <= n_samples, n_objectives], log_feasible [n].
+  double log_improvement_by_draw(const Eigen::MatrixXd& means, const Eigen::MatrixXd& deviations,
+                                 const Eigen::VectorXd& log_feasible) const;
+
   bool any_feasible() const { return any_feasible_; }  ///< in at least one draw
   /// Number of posterior draws.
   int n_samples() const { return static_cast<int>(fronts_.size()); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,12 +13,15 @@
 
 namespace parapet::bayesian {
 
+/// Picks a design of a front: objectives [n_designs][n_objectives], minimised -> its index.
+using Recommend = std::function<std::size_t(const std::vector<std::vector<double>>& objectives)>;
+
 /// How long to search, and how.
 struct SearchOptions {
   int max_evaluations = 60;  ///< at any level, those told from the start included
-  /// The budget that the initial designs (at most a third) and the confirmations (a sixth) are laid
-  /// out for; 0: max_evaluations. A search that is continued with a larger budget gives the first
-  /// one here and asks for the same designs.
+  /// The budget that the initial designs (at most a third) and the confirmations (with several
+  /// levels: three) are laid out for; 0: max_evaluations. A search that is continued with a larger
+  /// budget gives the first one here and asks for the same designs.
   int planned_evaluations = 0;
   double max_seconds = 0.0;        ///< sum of what evaluations cost; 0: no limit
   double max_finest = 0.0;         ///< the same limit in mean evaluations at level 0; 0: no limit
@@ -32,6 +36,12 @@ struct SearchOptions {
   /// Stop when the expected gain is below this share of the hypervolume, or below a tenth of the
   /// noise of an observation, three times running; 0: never.
   double least_gain = 0.0;
+  /// With one objective, once the expected gain is small: steps from the best design by NLopt on
+  /// surrogates of its neighbourhood take turns with the search, and more while they succeed.
+  bool local_steps = true;
+  /// With several levels: what will be recommended of the front, and is therefore confirmed at the
+  /// finest level. Empty: the least of the largest normalised objective.
+  Recommend recommend = {};
 };
 
 /// Something to evaluate.
@@ -39,7 +49,7 @@ struct Suggestion {
   int id = 0;    ///< 0, 1, 2, ...: what tell() is given
   Point x = {};  ///< canonical
   int level = 0;
-  std::string stage = {};  ///< "start", "initial", "search", "explore" or "confirm"
+  std::string stage = {};  ///< "start", "initial", "search", "local", "explore" or "confirm"
   double log_gain = 0.0;   ///< log of the expected gain (stage search)
 };
 
@@ -114,6 +124,11 @@ class Search {
 
   /// Indices into assessed() of the Pareto set: feasible designs of level 0 that none dominates.
   std::vector<std::size_t> pareto() const;
+
+  /// Indices into assessed() of the front as the surrogates see it: designs told at any level that
+  /// meet the limits with at least even odds, by their estimates at level 0; none dominates
+  /// another. Of a design told at several levels the finest.
+  std::vector<std::size_t> estimated_front() const;
 
   /// The reference point in the objectives' units [n_objectives]; empty before it can be chosen.
   std::vector<double> reference() const;

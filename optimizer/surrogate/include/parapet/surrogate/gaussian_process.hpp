@@ -76,7 +76,7 @@ struct LeaveOneOut {
 /// Kennedy and O'Hagan (Biometrika 87 (2000) 1-13): f_l(x) = rho_l f_{l+1}(x) + delta_l(x), all
 /// observations in one exact joint process, so that designs need not be nested.
 /// Parameters maximise the log marginal likelihood plus log priors from several starts; of more
-/// than 800 observations every k-th enters there, and all of them the prediction. Never throws for
+/// than 150 observations so many, evenly spaced, enter there, and all of them the prediction. Never throws for
 /// data that are finite: equal values, repeated inputs, a single observation or an ill-conditioned
 /// matrix give a process of large variance, not an error.
 class GaussianProcess {
@@ -87,6 +87,9 @@ class GaussianProcess {
   /// Each value for itself; inputs [m, n_features].
   Prediction predict(const Eigen::MatrixXd& inputs, int level = 0) const;
 
+  /// The means of predict() alone [m], which cost much less.
+  Eigen::VectorXd predict_mean(const Eigen::MatrixXd& inputs, int level = 0) const;
+
   /// The values together, with their covariances; inputs [m, n_features].
   JointPrediction joint(const Eigen::MatrixXd& inputs, int level = 0) const;
 
@@ -96,6 +99,10 @@ class GaussianProcess {
 
   /// Squared posterior correlation [m] of f_level with f_0 at the same inputs; 1 at level 0.
   Eigen::VectorXd correlation_squared(const Eigen::MatrixXd& inputs, int level) const;
+
+  /// Correlation of f_level(x) with f_0(x) over all x, by the prior with the parameters found,
+  /// noise aside: -1 .. 1.
+  double level_correlation(int level) const;
 
   /// Standard deviation of an observation's noise, model units.
   double noise(int level = 0) const {
@@ -131,6 +138,14 @@ class GaussianProcess {
   double log_likelihood_ = 0.0;
 };
 
+/// What a process alone says of inputs, kept so that it is computed once for many sets of draws.
+struct PreparedInputs {
+  Eigen::MatrixXd inputs;    ///< [m, n_features]
+  Eigen::VectorXd mean;      ///< [m], model units
+  Eigen::VectorXd variance;  ///< [m]
+  Eigen::MatrixXd whitened;  ///< [n, m] covariance with the data, divided by their Cholesky factor
+};
+
 /// Joint draws of the noise-free values at some inputs, and what other inputs look like given them.
 /// This is what an acquisition under noise integrates over.
 class PosteriorSamples {
@@ -139,18 +154,30 @@ class PosteriorSamples {
   PosteriorSamples(const GaussianProcess& process, const Eigen::MatrixXd& at, int n_samples,
                    std::uint64_t seed);
 
+  /// One more input, in the draws of the others: these stay as they are. Costs n^2, not n^3.
+  void append(const Eigen::RowVectorXd& input);
+
   const Eigen::MatrixXd& values() const { return values_; }  ///< [n_samples, p], model units
 
-  /// Predictions at inputs [m, n_features] given each draw: mean [n_samples, m]; the variance [m]
-  /// is the same for every draw. The process must still live.
+  /// Of inputs [m, n_features] what does not depend on the draws.
+  PreparedInputs prepare(const Eigen::MatrixXd& inputs) const;
+
+  /// Predictions at prepared inputs given each draw: mean [n_samples, m]; the variance [m] is the
+  /// same for every draw. The process must still live.
+  void predict(const PreparedInputs& prepared, Eigen::MatrixXd& mean,
+               Eigen::VectorXd& variance) const;
+
+  /// The same of inputs [m, n_features].
   void predict(const Eigen::MatrixXd& inputs, Eigen::MatrixXd& mean,
                Eigen::VectorXd& variance) const;
 
  private:
   const GaussianProcess& process_;
+  std::uint64_t seed_;
   Eigen::MatrixXd at_;        // [p, n_features]
   Eigen::MatrixXd values_;    // [n_samples, p]
   Eigen::MatrixXd factor_;    // [p, p] Cholesky factor of the posterior covariance
+  Eigen::MatrixXd normals_;   // [p, n_samples]
   Eigen::MatrixXd weights_;   // [p, n_samples] C^-1 (values - mean)
   Eigen::MatrixXd whitened_;  // [n, p] the process's data against these inputs
 };
