@@ -56,8 +56,8 @@ class NoisyFront {
   double log_improvement(const Eigen::MatrixXd& means, const Objectives& sd,
                          const Eigen::VectorXd& log_feasible) const;
 
-  /// The same where the deviation differs from draw to draw, over the first draws alone if there are
-  /// fewer rows: means and deviations [n <= n_samples, n_objectives], log_feasible [n].
+  /// The same where the deviation differs from draw to draw, over the first draws alone if there
+  /// are fewer rows: means and deviations [n <= n_samples, n_objectives], log_feasible [n].
   double log_improvement_by_draw(const Eigen::MatrixXd& means, const Eigen::MatrixXd& deviations,
                                  const Eigen::VectorXd& log_feasible) const;
 

@@ -76,9 +76,9 @@ struct LeaveOneOut {
 /// Kennedy and O'Hagan (Biometrika 87 (2000) 1-13): f_l(x) = rho_l f_{l+1}(x) + delta_l(x), all
 /// observations in one exact joint process, so that designs need not be nested.
 /// Parameters maximise the log marginal likelihood plus log priors from several starts; of more
-/// than 150 observations so many, evenly spaced, enter there, and all of them the prediction. Never throws for
-/// data that are finite: equal values, repeated inputs, a single observation or an ill-conditioned
-/// matrix give a process of large variance, not an error.
+/// than 150 observations so many, evenly spaced, enter there, and all of them the prediction. Never
+/// throws for data that are finite: equal values, repeated inputs, a single observation or an
+/// ill-conditioned matrix give a process of large variance, not an error.
 class GaussianProcess {
  public:
   /// @throws std::invalid_argument for shapes that do not fit or values that are not finite.
