@@ -18,10 +18,10 @@ namespace parapet::reports {
 /// pressure_pa, density_kg_m3, viscosity_pa_s and id. Written once: `<case>_walls.vtp`, the wall
 /// points; `<case>_outlines.vtp`, bed, barriers and other solids as lines, filled by polygons,
 /// with the cell array `barrier`, the barrier's number from 1 upstream or 0; `<case>_gauges.vtp`,
-/// where the metrics look, lines with the cell array `gauge`: 0 the line of a barrier, 1 the two ends
-/// of the base of the front's speed, 2 of the window of kinetic energy, 3 of the window of an open
-/// channel's depth. Every file is complete before it gets its name, and the collection lists only
-/// files that exist, so a run killed at any time leaves a folder that opens.
+/// where the metrics look, lines with the cell array `gauge`: 0 the line of a barrier, 1 the two
+/// ends of the base of the front's speed, 2 of the window of kinetic energy, 3 of the window of an
+/// open channel's depth. Every file is complete before it gets its name, and the collection lists
+/// only files that exist, so a run killed at any time leaves a folder that opens.
 class FrameWriter {
  public:
   /// Creates the folder. Frames of an earlier run with the same case name are written over.
