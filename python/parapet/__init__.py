@@ -22,20 +22,12 @@ if "OMP_WAIT_POLICY" not in _os.environ and "GOMP_SPINCOUNT" not in _os.environ:
     _os.environ["OMP_WAIT_POLICY"] = "passive"
 
 from . import _native, plot
+from .advice import Recommendation, StudyFolder, load_study_folder, recommend
 from .case import Case, load_case
 from .errors import FileError, InputError, Issue
+from .search import Search
 from .simulation import Frame, Result, simulate
-from .study import (
-    Design,
-    Front,
-    Recommendation,
-    Record,
-    Search,
-    Study,
-    StudyFolder,
-    load_study_folder,
-    recommend,
-)
+from .study import Design, Front, Record, Study, Variable
 
 __version__: str = _native.version
 __git_revision__: str = _native.git_revision
@@ -60,6 +52,7 @@ __all__ = [
     "Search",
     "Study",
     "StudyFolder",
+    "Variable",
     "load_case",
     "load_study_folder",
     "plot",

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Optional, Sequence, Union
 
 import numpy as np
 
+from .advice import StudyFolder
+from .search import Search
 from .simulation import Frame, Result
-from .study import Front, Search, Study, StudyFolder
+from .study import Front, Study
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

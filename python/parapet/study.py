@@ -1,11 +1,11 @@
-"""Studies: designs judged, searched and recommended."""
+"""Studies: what may vary, what is wanted, and designs judged by it."""
 
 from __future__ import annotations
 
 import json
 import os
 from dataclasses import dataclass
-from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence, Union, overload
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union, overload
 
 from . import _native
 from .case import Case, PathLike
@@ -14,7 +14,8 @@ from .units import millimetres
 Value = Union[float, str]
 
 
-def _cores() -> int:
+def cores() -> int:
+    """Cores that this process may use."""
     return len(os.sched_getaffinity(0))
 
 
@@ -145,46 +146,47 @@ class Study:
         if isinstance(source, Mapping):
             text = json.dumps(source, allow_nan=False)
             name = str(source.get("name", "study"))
-            self._native = _native.Study.parse(text, name, millimetres(spacing_m))
+            self.native = _native.Study.parse(text, name, millimetres(spacing_m))
         else:
-            self._native = _native.Study.load(os.fspath(source), millimetres(spacing_m))
+            self.native = _native.Study.load(os.fspath(source), millimetres(spacing_m))
         self.records: list[Record] = []
 
     @classmethod
-    def _of(cls, native: _native.Study) -> Study:
+    def of(cls, native: _native.Study) -> Study:
+        """A study that was read already."""
         study = cls.__new__(cls)
-        study._native = native
+        study.native = native
         study.records = []
         return study
 
     @property
     def name(self) -> str:
-        return self._native.name
+        return self.native.name
 
     @property
     def variables(self) -> list[Variable]:
         """In the study's order."""
-        return [Variable(n, k, lo, up, tuple(o)) for n, k, lo, up, o in self._native.variables()]
+        return [Variable(n, k, lo, up, tuple(o)) for n, k, lo, up, o in self.native.variables()]
 
     @property
     def objectives(self) -> dict[str, str]:
         """``maximize`` or ``minimize`` by the objective's name."""
-        return {name: "maximize" if up else "minimize" for name, up in self._native.objectives()}
+        return {name: "maximize" if up else "minimize" for name, up in self.native.objectives()}
 
     @property
     def scenarios(self) -> dict[str, float]:
         """Weight of each scenario; empty: the case's own event is the only one."""
-        return dict(self._native.scenarios())
+        return dict(self.native.scenarios())
 
     @property
     def spacings_m(self) -> list[float]:
         """Particle spacings at which designs may be simulated, finest first [m]."""
-        return list(self._native.spacings())
+        return list(self.native.spacings())
 
     @property
     def spec(self) -> dict[str, Any]:
         """A copy of the study's file with every default written out."""
-        return self._native.resolved()
+        return self.native.resolved()
 
     def changed(self, **members: Any) -> Study:
         """Another study: this one with members of its file replaced, for example ``scenarios=[...]``.
@@ -213,12 +215,12 @@ class Study:
         spacing_m: Optional[float] = None,
     ) -> Case:
         """The case of a design, under a scenario (default: the base event)."""
-        data = self._native.design_case(_text(design), scenario or "", spacing_m)
+        data = self.native.design_case(_text(design), scenario or "", spacing_m)
         return Case(data, self.name)
 
     def violations(self, design: Mapping[str, Value]) -> list[float]:
         """How far a design is beyond each limit on a formula, scaled; <= 0 is within. Simulates nothing."""
-        return list(self._native.violations(_text(design)))
+        return list(self.native.violations(_text(design)))
 
     def evaluate(
         self,
@@ -263,7 +265,7 @@ class Study:
             questions.append((_text(design), spacing_m if spacing_m is not None else own, scenario or ""))
         if not questions:
             return []
-        records = [Record(one) for one in self._native.evaluate(questions, jobs or _cores())]
+        records = [Record(one) for one in self.native.evaluate(questions, jobs or cores())]
         for record in records:
             record["id"] = f"{len(self.records) + 1:04d}"
             self.records.append(record)
@@ -272,174 +274,10 @@ class Study:
     def front(self, records: Optional[Iterable[Mapping[str, Any]]] = None) -> Front:
         """The best trade-offs among records; default: what was evaluated through this object."""
         chosen: Iterable[Mapping[str, Any]] = self.records if records is None else records
-        return Front(*_native.front(self._native, [json.dumps(record) for record in chosen]))
+        return Front(*_native.front(self.native, [json.dumps(record) for record in chosen]))
 
     def __repr__(self) -> str:
         return (
             f"<Study {self.name!r}: {len(self.variables)} variable(s), "
             f"{len(self.objectives)} objective(s), {len(self.records)} evaluated>"
         )
-
-
-class Search:
-    """The Bayesian search of ``parapet optimize`` by ask and tell.
-
-    With one design asked and told at a time it asks for the designs that the program asks for with one
-    job. Designs that were asked and not yet told are taken into account, so any number may be out.
-    """
-
-    def __init__(self, study: Study, *, seed: Optional[int] = None) -> None:
-        """Begins a search.
-
-        Args:
-            seed: instead of the study's own.
-
-        Raises:
-            InputError: for a method other than BAYESIAN.
-        """
-        self.study = study if seed is None else study.changed(method={"seed": seed})
-        self._native = _native.Search(self.study._native)
-        self._out: dict[int, Design] = {}
-
-    def ask(self, count: int = 1) -> list[Design]:
-        """The next designs; fewer when the search needs answers first, none when it is over."""
-        designs = []
-        for _ in range(count):
-            asked = self._native.ask()
-            if asked is None:
-                break
-            id, values, spacing, stage = asked
-            self._out[id] = Design(values, id, spacing, stage)
-            designs.append(self._out[id])
-        return designs
-
-    def tell(
-        self,
-        designs: Union[Design, Sequence[Design]],
-        records: Union[Mapping[str, Any], Sequence[Mapping[str, Any]]],
-    ) -> None:
-        """The answers, in the order of the designs.
-
-        Raises:
-            ValueError: for a record of another design than the one that was asked.
-        """
-        asked = [designs] if isinstance(designs, Design) else list(designs)
-        answers = [records] if isinstance(records, Mapping) else list(records)
-        if len(asked) != len(answers):
-            raise ValueError(f"{len(asked)} designs, but {len(answers)} records")
-        for design, record in zip(asked, answers):
-            self._native.tell(design.id, json.dumps(record))
-            self._out.pop(design.id, None)
-
-    def tell_other(self, record: Mapping[str, Any]) -> None:
-        """A design that nobody asked for, evaluated at one of the study's spacings."""
-        self._native.tell_other(json.dumps(record))
-
-    @property
-    def pending(self) -> list[Design]:
-        """Asked and not told."""
-        return list(self._out.values())
-
-    @property
-    def stop_reason(self) -> str:
-        """Why nothing more is asked: ``budget``, ``stagnation``, ...; empty while it goes on."""
-        return self._native.stop_reason()
-
-    @property
-    def records(self) -> list[Record]:
-        """What was told, in order."""
-        return [Record(one) for one in self._native.records()]
-
-    def front(self) -> Front:
-        """The best trade-offs of what was told."""
-        return Front(*self._native.front())
-
-    def front_json(self) -> dict[str, Any]:
-        """The same with the surrogates' estimates: the content of ``pareto.json``."""
-        return self._native.front_json()
-
-
-class Recommendation:
-    """Which design to build, and what is known of it.
-
-    Attributes:
-        json: the content of ``recommendation.json``.
-        text: the same in words, as Markdown.
-    """
-
-    def __init__(self, content: dict[str, Any], text: str) -> None:
-        self.json = content
-        self.text = text
-
-    @property
-    def design(self) -> Optional[dict[str, Value]]:
-        """The recommended design; None when none meets every constraint."""
-        recommended = self.json.get("recommended")
-        return None if recommended is None else dict(recommended["design"])
-
-    def _repr_markdown_(self) -> str:
-        return self.text
-
-    def __repr__(self) -> str:
-        return f"<Recommendation: {self.design}>"
-
-
-def recommend(
-    folder: PathLike,
-    *,
-    rule: str = "",
-    weights: Optional[Mapping[str, float]] = None,
-    limits: Sequence[str] = (),
-    confirm: bool = False,
-    repeats: int = 2,
-    jobs: Optional[int] = None,
-) -> Recommendation:
-    """Advice from a study's folder; writes nothing unless it is to confirm.
-
-    Args:
-        rule: ``best``, ``knee``, ``weights`` or ``limits``; default as in ``parapet recommend``.
-        weights: of the objectives, for the rule ``weights``.
-        limits: such as ``launch_length_m<=0.1``, for the rule ``limits``.
-        confirm: simulate the design again with ``repeats`` near ones first (``confirmations.jsonl``).
-    """
-    listed = ",".join(f"{name}={value!r}" for name, value in (weights or {}).items())
-    content, text = _native.recommend(
-        os.fspath(folder), rule, listed, list(limits), confirm, repeats, jobs or _cores()
-    )
-    return Recommendation(content, text)
-
-
-@dataclass(frozen=True)
-class StudyFolder:
-    """A folder of ``parapet optimize``.
-
-    Attributes:
-        state: ``running``, ``done``, ``interrupted`` or ``failed``; empty when there is no summary.
-        confirmations: runs that confirm a recommended design.
-        damage: a sentence for each line or file that is not what was written.
-    """
-
-    study: Study
-    state: str
-    records: list[Record]
-    confirmations: list[Record]
-    damage: list[str]
-
-    def front(self) -> Front:
-        """The best trade-offs in the log."""
-        return self.study.front(self.records)
-
-    def __iter__(self) -> Iterator[Record]:
-        return iter(self.records)
-
-
-def load_study_folder(folder: PathLike) -> StudyFolder:
-    """Reads a study's folder and changes nothing; it may belong to a study that still runs."""
-    loaded = _native.load_folder(os.fspath(folder))
-    return StudyFolder(
-        Study._of(loaded["study"]),
-        loaded["state"],
-        [Record(one) for one in loaded["records"]],
-        [Record(one) for one in loaded["confirmations"]],
-        list(loaded["damage"]),
-    )
