@@ -219,13 +219,13 @@ std::optional<Suggestion> Search::State::ask() {
   update_models();
   if (!can_model()) return suggest_far_away();
   if (confirming()) {
-    if (auto suggestion = suggest_confirmation()) return suggestion;
     // What is left does not pay for an evaluation at the finest level, and there is no use in
     // others.
     if (cost_limit() - expected_cost() < level_seconds().front()) {
       if (pending.empty()) stop = StopReason::seconds;
       return std::nullopt;
     }
+    if (auto suggestion = suggest_confirmation()) return suggestion;
   }
   if (auto suggestion = suggest_local()) return suggestion;
   return suggest_gain();

@@ -18,14 +18,15 @@ constexpr double transform_margin_nats = 2.0;
 constexpr Eigen::Index transform_sample = 120;  // observations that a transform is judged by
 constexpr int transform_evaluations = 20;
 
-/// Calls of the likelihood that each start and the best of them get: a call costs n^3.
+/// Calls of the likelihood that each start and the best of them get: a call costs n^3. With many
+/// observations the parameters of the last fit are nearly right.
 struct Budget {
   int each, best;
 };
-Budget budget(Eigen::Index n) {
+Budget budget(Eigen::Index n, bool warm) {
   if (n <= 60) return {40, 150};
   if (n <= 150) return {20, 80};
-  return {4, 10};
+  return warm ? Budget{4, 10} : Budget{12, 60};
 }
 
 SmoothFunction negative(const MarginalLikelihood& likelihood) {
@@ -141,7 +142,7 @@ std::vector<LevelParameters> likeliest_parameters(const Layout& layout, const Da
   const Data part = thinned({data.inputs, z, data.levels}, most_for_parameters);
   const MarginalLikelihood likelihood(layout, part.inputs, part.values, part.levels, priors);
   const SmoothFunction function = negative(likelihood);
-  const Budget calls = budget(z.size());
+  const Budget calls = budget(z.size(), options.warm_start.has_value());
   Descent best;
   best.value = std::numeric_limits<double>::infinity();
   for (const Eigen::VectorXd& start : starting_points(vector, priors, options)) {
