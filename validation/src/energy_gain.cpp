@@ -106,7 +106,8 @@ void energy_gain(CaseRun& run) {
       row.reason = "of the block's potential energy; where a result warns";
       row.explanation =
           "the fluid that meets the barrier is 1.5 particles deep at this spacing, and without "
-          "viscosity nothing takes the energy of single particles. Twice as fine it is met; none of "
+          "viscosity nothing takes the energy of single particles. Twice as fine it is met; none "
+          "of "
           "shifting, time step, sound speed and integration brings it below the limit alone (last "
           "rows)";
     }

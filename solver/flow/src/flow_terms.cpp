@@ -141,8 +141,11 @@ void Flow::update_gradients(double interval) {
   const FlowArrays a = packed_arrays();
   const double stable = farthest_shift * setup_.numerics.spacing;
   const ShiftingSettings settings{
-      smoothing_length(), interval * now_.max_speed > stable ? stable / interval : now_.max_speed,
-      setup_.numerics.shifting_factor, a.constants.no_slip, setup_.numerics.background_pressure,
+      smoothing_length(),
+      interval * now_.max_speed > stable ? stable / interval : now_.max_speed,
+      setup_.numerics.shifting_factor,
+      a.constants.no_slip,
+      setup_.numerics.background_pressure,
       still_rate2(setup_.material)};
   const auto finish = as_published() ? finish_published_gradients : finish_gradients;
   for_blocks(fluid_.n, threads(), [&](int begin, int end) {
