@@ -50,8 +50,8 @@ TEST(RunSummary, SaysWhatCameOfItInWordsAndUnits) {
 
 TEST(RunSummary, AnUncertaintyStandsBesideItsValue) {
   Result result = one_barrier();
-  result.metrics[0].uncertainty = {.expanded = 0.0123};
-  result.metrics[7].uncertainty = {.expanded = 31.2};
+  result.metrics[0].uncertainty.emplace().expanded = 0.0123;
+  result.metrics[7].uncertainty.emplace().expanded = 31.2;
   const std::string text = run_summary(result);
   EXPECT_NE(text.find("61.3 ± 1.2 % of the debris"), std::string::npos) << text;
   EXPECT_NE(text.find("123 ± 31 N/m"), std::string::npos) << text;

@@ -111,7 +111,7 @@ solver::Scene barriers() {
   solver::Scene scene;
   scene.slope = 0.0;
   scene.barriers = {
-      {.foot_x = 1.0, .height = 0.1, .thickness = 0.02},
+      {.foot_x = 1.0, .height = 0.1, .thickness = 0.02, .deflector = {}},
       {.foot_x = 2.0, .height = 0.1, .thickness = 0.02, .deflector = solver::Deflector{}}};
   return scene;
 }
