@@ -120,7 +120,7 @@ void resolution(CaseRun& run) {
   const double unit = visits(list.front());
   for (const Group& g : list) {
     const std::string key =
-        fmt::format("{}_{:.1f}mm_{:.0f}", rows[g.row].key, 1e3 * g.spacing, 100.0 * g.ratio);
+        fmt::format("{}_{:.0f}mm_{:.0f}", rows[g.row].key, 1e3 * g.spacing, 100.0 * g.ratio);
     const std::string of =
         fmt::format("{}, {:.1f} mm, h/dx {}", rows[g.row].name, 1e3 * g.spacing, g.ratio);
     run.add({.key = key + "_cost",
