@@ -56,7 +56,7 @@ function scorecard(page: SweepPage, keys: Keys): HTMLElement {
     { key: 'verdict', label: 'Verdict', value: (k) => verdict(pairs[k]!), show: (k) => h('span', { class: `badge ${pairs[k]!.verdict === 'agrees' ? 'good' : pairs[k]!.verdict === 'misses' ? 'bad' : ''}` }, verdict(pairs[k]!)) },
     { key: 'source', label: 'Source and note', value: (k) => [pairs[k]!.paper.source, pairs[k]!.paper.note].filter(Boolean).join('; ') },
   ];
-  return new Table({ name: `${page.name}-scorecard`, caption: 'Computed beside published values', columns, rows: pairs.length }).element;
+  return new Table({ name: `${page.name}-scorecard`, caption: 'Computed beside published values', hint: 'text, or conditions: verdict = misses', columns, rows: pairs.length }).element;
 }
 
 /** Computed values of all rows with the printed ones laid over. */
