@@ -285,6 +285,12 @@ test('sweep: the scorecard holds every printed value', async () => {
   const misses = sweep.rows.reduce((n, row) => n + Object.values(row.agreement ?? {}).filter((one) => one.verdict === 'misses').length, 0);
   const agrees = sweep.rows.reduce((n, row) => n + Object.values(row.agreement ?? {}).filter((one) => one.verdict === 'agrees').length, 0);
   assert.match(await page.textContent('.headline'), new RegExp(`^${agrees} of ${agrees + misses} printed ranges`));
+  // As the paper draws them: over the deflector's angle, the two rows of one height on one line.
+  await page.selectOption('#figures label:has-text("Quantity") select', 'launch_tip_x_m');
+  await page.selectOption('#figures label:has-text("over") select', 'angle');
+  assert.match(await page.getAttribute('#figures .chart', 'aria-label'), /over the deflector angle, 1 line;/);
+  await page.locator('#figures').scrollIntoViewIfNeeded();
+  await page.waitForTimeout(300);
   assert.deepEqual(wrong, []);
   await close();
 });
