@@ -86,6 +86,9 @@ class PageServer::Server {
     server_.Get("/", [this](const httplib::Request&, httplib::Response& response) {
       response.set_content(page(), "text/html; charset=utf-8");
     });
+    server_.Get("/favicon.ico", [](const httplib::Request&, httplib::Response& response) {
+      response.status = 204;  // browsers ask for one
+    });
     server_.Get("/events", [this](const httplib::Request&, httplib::Response& response) {
       if (++listeners_ > most_listeners) {
         --listeners_;

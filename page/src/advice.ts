@@ -156,7 +156,7 @@ function verdictBox(page: StudyPage, design: DesignReport, keys: Keys): HTMLElem
     h('p', {}, `${first}.`),
     h('p', {}, verdictWords[verdict] ?? verdict),
     probability !== null && probability !== undefined &&
-      h('p', {}, 'Probability that it meets every constraint, by the surrogate: ', h('strong', {}, `${numberText(100 * probability)} %`), '.'),
+      h('p', {}, 'Probability that it meets every constraint, by the surrogate: ', h('strong', {}, probability > 0.999 ? 'more than 99.9 %' : `${numberText(100 * probability)} %`), '.'),
     h('p', { class: 'note' }, recommendation.rule?.words ?? ''),
   );
 }

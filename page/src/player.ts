@@ -297,7 +297,10 @@ export class Player {
     context.stroke();
     context.fillStyle = '#b34700';
     context.textAlign = 'right';
-    context.fillText('dead zone', a[0] - 4, a[1] + 14);
+    context.lineWidth = 3;
+    context.strokeStyle = '#fff';
+    context.strokeText('dead zone', a[0] - 4, a[1] + 16);
+    context.fillText('dead zone', a[0] - 4, a[1] + 16);
     context.textAlign = 'left';
   }
 

@@ -5,7 +5,7 @@ import type { StudyPage } from './data';
 import { DesignTable, kinds } from './designs';
 import { button, checkbox, h, section } from './dom';
 import { convergenceView, effectsView } from './effects';
-import { count, valueElement, type Keys } from './format';
+import { count, numberText, valueElement, type Keys } from './format';
 import { FrontView } from './front';
 import { distributions, ParallelView } from './parallel';
 import { compareRuns } from './runs';
@@ -60,6 +60,12 @@ function designColumns(table: DesignTable, keys: Keys, store: Store): Column[] {
   return columns;
 }
 
+/** A condition on the first variable that has a number, as an example. */
+function exampleCondition(table: DesignTable): string {
+  const one = table.quantities.find((quantity) => !quantity.options);
+  return one ? `${one.label.replace(/ \[.*/, '')} < ${numberText(one.values.find((value): value is number => typeof value === 'number'))}` : 'stage = search';
+}
+
 export function designSection(table: DesignTable, keys: Keys, store: Store): HTMLElement {
   const base = designColumns(table, keys, store);
   const extra = table.quantities.filter((one) => one.group === 'metric');
@@ -75,6 +81,7 @@ export function designSection(table: DesignTable, keys: Keys, store: Store): HTM
     const view = new Table({
       name: table.page.name.replace(/[^\w.-]+/g, '_'),
       caption: 'Every design that was evaluated',
+      hint: `text, or conditions: kind = feasible, ${exampleCondition(table)}`,
       columns,
       rows: table.rows,
       passes: (row) => store.passes(row),

@@ -2,9 +2,9 @@
 import { axisStyle, Chart, tooltipStyle } from './chart';
 import { checkSection } from './check';
 import { palette } from './colors';
-import type { Published, SweepPage, SweepRow } from './data';
+import type { Barrier, Published, Scene, SweepPage, SweepRow } from './data';
 import { button, h, section, select, type Child } from './dom';
-import { numberText, valueElement, type Keys } from './format';
+import { count, numberText, valueElement, type Keys } from './format';
 import { compareRuns } from './runs';
 import { mostSelected, Store } from './store';
 import { Table, type Column } from './table';
@@ -56,7 +56,7 @@ function scorecard(page: SweepPage, keys: Keys): HTMLElement {
     { key: 'verdict', label: 'Verdict', value: (k) => verdict(pairs[k]!), show: (k) => h('span', { class: `badge ${pairs[k]!.verdict === 'agrees' ? 'good' : pairs[k]!.verdict === 'misses' ? 'bad' : ''}` }, verdict(pairs[k]!)) },
     { key: 'source', label: 'Source and note', value: (k) => [pairs[k]!.paper.source, pairs[k]!.paper.note].filter(Boolean).join('; ') },
   ];
-  return new Table({ name: `${page.name}-scorecard`, caption: 'Computed beside published values', columns, rows: pairs.length }).element;
+  return new Table({ name: `${page.name}-scorecard`, caption: 'Computed beside published values', hint: 'text, or conditions: verdict = misses', columns, rows: pairs.length }).element;
 }
 
 /** Computed values of all rows with the printed ones laid over. */
@@ -101,6 +101,69 @@ function figure(page: SweepPage, keys: Keys, key: string): Chart {
   );
 }
 
+/** What a row's first barrier is like: what the paper draws its results over. */
+const across: { value: string; text: string; unit: string; of: (barrier: Barrier) => number | null }[] = [
+  { value: 'angle', text: 'deflector angle', unit: '°', of: (one) => one.deflector?.angle_deg ?? null },
+  { value: 'length', text: 'deflector length', unit: 'm', of: (one) => one.deflector?.length_m ?? null },
+  { value: 'height', text: 'height of the first barrier', unit: 'm', of: (one) => one.height_m },
+];
+
+/** Rows that differ in nothing else of their first barrier make one line. */
+function lineOf(scene: Scene, but: string): string {
+  const { height_m, deflector } = scene.barriers[0]!;
+  const parts = [
+    but !== 'height' && `${numberText(1000 * height_m)} mm high`,
+    but !== 'angle' && (deflector ? `${numberText(deflector.angle_deg)}°` : 'bare'),
+    but !== 'length' && deflector && `deflector ${numberText(1000 * deflector.length_m)} mm`,
+    scene.barriers.length > 1 && `${scene.barriers.length} barriers, ${numberText(scene.barriers[1]!.foot_x_m - scene.barriers[0]!.foot_x_m)} m apart`,
+  ];
+  return parts.filter(Boolean).join(', ');
+}
+
+/** Computed values over a dimension of the first barrier, with the printed ones laid over. */
+function dimensionFigure(page: SweepPage, keys: Keys, key: string, over: (typeof across)[number]): Chart {
+  const lines = new Map<string, [number, number, string][]>();
+  const printed: { value: [number, number]; name: string }[] = [];
+  const ranges: [number, number, number][] = [];
+  for (const row of page.rows) {
+    const scene = page.runs[row.id]?.scene;
+    const x = scene?.barriers[0] ? over.of(scene.barriers[0]) : null;
+    if (!scene || x === null) continue;
+    const value = row.metrics[key];
+    const name = lineOf(scene, over.value);
+    if (typeof value === 'number') lines.set(name, [...(lines.get(name) ?? []), [x, value, row.id]]);
+    const paper = row.paper[key];
+    if (paper?.value !== undefined) printed.push({ value: [x, paper.value], name: row.id });
+    if (paper?.lower !== undefined && paper.upper !== undefined) ranges.push([x, paper.lower, paper.upper]);
+  }
+  return new Chart(
+    () => `${keys.label(key)} over the ${over.text}, ${count(lines.size, 'line')}; printed values where there are some. The scorecard and the table hold the numbers.`,
+    () => ({
+      animation: false,
+      grid: { left: 84, right: 20, top: 64, bottom: 56 },
+      legend: { top: 4, textStyle: { color: color('text') } },
+      tooltip: { ...tooltipStyle(), trigger: 'item', formatter: (item: { name?: string; value: (number | string)[] }) => `${item.value[2] ?? item.name ?? ''}: ${numberText(Number(item.value[1]))}` },
+      xAxis: axisStyle(`${over.text} [${over.unit}]`, { type: 'value', scale: true, nameGap: 32 }),
+      yAxis: axisStyle(keys.label(key), { type: 'value', scale: true, nameGap: 60 }),
+      series: [
+        ...[...lines].map(([name, points], k) => ({
+          type: 'line',
+          name,
+          animation: false,
+          symbol: 'circle',
+          symbolSize: 9,
+          data: [...points].sort((a, b) => a[0] - b[0]),
+          color: palette[(k === 1 ? 2 : k > 1 ? k + 1 : k) % palette.length],
+          lineStyle: { width: 2 },
+        })),
+        { type: 'scatter', name: 'printed in the paper', animation: false, symbol: 'diamond', symbolSize: 14, color: palette[1], itemStyle: { color: palette[1], borderColor: color('paper'), borderWidth: 1 }, data: printed, z: 5 },
+        ...ranges.map(([x, low, high]) => ({ type: 'line', name: 'range of the paper', animation: false, symbol: 'rect', symbolSize: [14, 2], color: palette[1], lineStyle: { width: 2.5 }, data: [[x, low], [x, high]], z: 4 })),
+      ],
+    }),
+    'tall',
+  );
+}
+
 export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
   const pairs = pairsOf(page);
   const tally = (word: string): number => pairs.filter((pair) => pair.verdict === word).length;
@@ -109,10 +172,14 @@ export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
   const keysShown = [...published, ...all.filter((key) => !published.includes(key))];
   const place = h('div');
   let chart: Chart | null = null;
+  let quantity = '';
+  let over = view.choice('figure.over', ['row', ...across.map((one) => one.value)], 'row');
   const show = (key: string): void => {
     view.set('figure', key);
     chart?.dispose();
-    chart = figure(page, keys, key);
+    quantity = key;
+    const dimension = across.find((one) => one.value === over);
+    chart = dimension ? dimensionFigure(page, keys, key, dimension) : figure(page, keys, key);
     place.replaceChildren(chart.element, h('p', { class: 'note' }, keys.definition(key) ?? ''));
   };
   const store = new Store();
@@ -156,7 +223,11 @@ export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
       ),
       scorecard(page, keys),
     ),
-    section('figures', 'Figures', select('Quantity', keysShown.map((key) => ({ value: key, text: keys.label(key) })), shown, show), place),
+    section('figures', 'Figures', select('Quantity', keysShown.map((key) => ({ value: key, text: keys.label(key) })), shown, show), select('over', [{ value: 'row', text: 'rows' }, ...across.map((one) => ({ value: one.value, text: one.text }))], over, (value) => {
+      over = value;
+      view.set('figure.over', value);
+      show(quantity);
+    }), place),
     section('flow', 'What does the flow look like?', h('p', {}, `Up to ${mostSelected} rows side by side.`), choice, playback),
     section('rows', 'All rows', new Table({ name: page.name, caption: 'Every row with all its metrics', columns, rows: page.rows.length }).element),
     checkSection(page),

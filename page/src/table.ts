@@ -11,6 +11,8 @@ export interface TableOptions {
   caption: string;
   columns: Column[];
   rows: number;
+  /** An example of what may be typed into the filter. */
+  hint?: string;
   /** Whether other views let a row through. */
   passes?: (row: number) => boolean;
   rowClass?: (row: number) => string;
@@ -34,7 +36,7 @@ export class Table {
     const filter = h('input', {
       type: 'search',
       class: 'filter',
-      placeholder: 'text, or: launch length < 0.1, stage = search',
+      placeholder: options.hint ?? 'text',
       input: () => {
         view.set(`filter.${options.caption}`, filter.value);
         this.own = parseCondition(filter.value, options.columns);

@@ -30,6 +30,7 @@ export function validationSections(page: ValidationPage): HTMLElement[] {
   const table = new Table({
     name: 'validation',
     caption: 'Every measured quantity beside its limit',
+    hint: 'text, or conditions: verdict = missed, value > 1',
     columns,
     rows: measures.length,
     passes: (k) => (chosenCase === '' || measures[k]!.case === chosenCase) && (chosenVerdict === '' || measures[k]!.verdict === chosenVerdict),

@@ -43,7 +43,9 @@ export class View {
 }
 
 const own = typeof document === 'undefined' ? null : document;
-export const view = new View(own?.getElementById('page-view')?.textContent);
+// A page that is served keeps its view when it is made anew.
+const kept = own && location.protocol === 'http:' ? sessionStorage.getItem('view') : null;
+export const view = new View(own?.getElementById('page-view')?.textContent ?? kept);
 const program = own?.currentScript?.textContent ?? '';
 
 /** The page as it was written, with the view of now. */

@@ -101,6 +101,7 @@ TEST_F(Serve, GivesThePageAndNothingElse) {
   EXPECT_PRED_FORMAT2(IsSubstring, "id=\"page-data\"", page);
   EXPECT_PRED_FORMAT2(IsSubstring, "connect-src 'self'", page);
   EXPECT_PRED_FORMAT2(IsSubstring, "X-Content-Type-Options: nosniff", page);
+  EXPECT_TRUE(get("/favicon.ico").starts_with("HTTP/1.1 204"));
   for (const char* path :
        {"/result.json", "/../secret.txt", "/..%2fsecret.txt", "/%2e%2e/secret.txt", "//etc/passwd",
         "/./../../../../etc/passwd", "/report.html", "/.parapet"}) {
