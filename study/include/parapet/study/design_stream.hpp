@@ -49,8 +49,8 @@ class DesignStream {
 
   /// Drops what has not begun and cancels what runs; nobody learns of it.
   ~DesignStream();
-  DesignStream(const DesignStream&) = delete;
-  DesignStream& operator=(const DesignStream&) = delete;
+  DesignStream(const DesignStream&) = delete;             ///< not copied
+  DesignStream& operator=(const DesignStream&) = delete;  ///< likewise
 
   /// Hands a design in; waits while a simulation waits for a thread, so that a stream of any length
   /// needs no more memory. A cancelled stream takes nothing.
