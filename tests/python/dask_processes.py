@@ -31,10 +31,12 @@ class DaskProcesses:
         self.workers: dict[str, subprocess.Popen[bytes]] = {}
         self._started = 0
 
-    def _start(self, log: str, module: str, *arguments: str, **environment: str) -> subprocess.Popen[bytes]:
+    def _start(
+        self, log: str, module: str, *arguments: str, python: str = sys.executable, **environment: str
+    ) -> subprocess.Popen[bytes]:
         with open(self.folder / log, "ab") as output:
             return subprocess.Popen(
-                [sys.executable, "-m", module, *arguments],
+                [python, "-m", module, *arguments],
                 cwd=self.folder,
                 stdout=output,
                 stderr=output,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import signal
 import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -194,7 +195,8 @@ class OnACluster(tiny.InFolder):
             "worker.own_identity = lambda: own\n",
         )
         other = self.dask.start_worker("--preload", "other_bits.py")
-        bare = self.dask.start_worker(PYTHONPATH="")
+        # Without parapet, wherever it is installed: the interpreter that a virtual environment stands on.
+        bare = self.dask.start_worker(python=getattr(sys, "_base_executable", sys.executable), PYTHONPATH="")
         own = self.dask.start_worker()
         process = self.start("--wait-for", "1")
         _, said = process.communicate(timeout=300)
@@ -207,6 +209,9 @@ class OnACluster(tiny.InFolder):
         self.assertEqual(tiny.log_of(self.folder / "out"), self.whole_log(1))
 
     def test_nothing_is_lost_with_workers_and_scheduler(self) -> None:
+        # So long that it cannot end before the scheduler's death is noticed.
+        method = {**tiny.STUDY["method"], "max_evaluations": 40}
+        self.write("study.json", tiny.study(method=method))
         whole = self.whole_log(2)
         names = [self.dask.start_worker() for _ in range(2)]
         process = self.start("--wait-for", "2")

@@ -118,7 +118,10 @@ class Simulate(tiny.InFolder):
 
     def test_ctrl_c_ends_a_simulation(self) -> None:
         script = (
+            "import signal\n"
             "import parapet as pp\n"
+            # who starts the tests in the background may have had it ignored
+            "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
             "def progress(now, end):\n"
             "    print('running', flush=True)\n"
             "try:\n"
@@ -130,7 +133,10 @@ class Simulate(tiny.InFolder):
             assert process.stdout is not None
             self.assertEqual(process.stdout.readline(), "running\n")
             process.send_signal(signal.SIGINT)
-            rest, _ = process.communicate(timeout=120)
+            try:
+                rest, _ = process.communicate(timeout=120)
+            finally:
+                process.kill()
         self.assertEqual(process.returncode, 0)
         self.assertTrue(rest.endswith("interrupted\n"), rest)
 
