@@ -209,7 +209,7 @@ class OnACluster(tiny.InFolder):
         self.assertEqual(tiny.log_of(self.folder / "out"), self.whole_log(1))
 
     def test_nothing_is_lost_with_workers_and_scheduler(self) -> None:
-        # So long that it cannot end before the scheduler's death is noticed.
+        # So long that it outlasts the scheduler.
         method = {**tiny.STUDY["method"], "max_evaluations": 40}
         self.write("study.json", tiny.study(method=method))
         whole = self.whole_log(2)
@@ -227,8 +227,9 @@ class OnACluster(tiny.InFolder):
         for _ in range(2):
             self.dask.start_worker()
         _, said = process.communicate(timeout=300)
+        # Whether it says that the scheduler is lost is a matter of time: a client that finds the new one
+        # within a second has only lost its tasks.
         self.assertEqual(process.returncode, 0, said)
-        self.assertIn("the scheduler is lost", said)
         self.assertEqual(tiny.log_of(self.folder / "out"), whole)
 
     def test_a_lost_scheduler_ends_it_and_the_same_command_resumes(self) -> None:
