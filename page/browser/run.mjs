@@ -287,7 +287,7 @@ test('sweep: the scorecard holds every printed value', async () => {
   assert.match(await page.textContent('.headline'), new RegExp(`^${agrees} of ${agrees + misses} printed ranges`));
   // As the paper draws them: over the deflector's angle, the two rows of one height on one line.
   await page.selectOption('#figures label:has-text("Quantity") select', 'launch_tip_x_m');
-  await page.selectOption('#figures label:has-text("over") select', 'angle');
+  await page.selectOption('#figures label:has-text("Across") select', 'angle');
   assert.match(await page.getAttribute('#figures .chart', 'aria-label'), /over the deflector angle, 1 line;/);
   await page.locator('#figures').scrollIntoViewIfNeeded();
   await page.waitForTimeout(300);

@@ -223,7 +223,7 @@ export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
       ),
       scorecard(page, keys),
     ),
-    section('figures', 'Figures', select('Quantity', keysShown.map((key) => ({ value: key, text: keys.label(key) })), shown, show), select('over', [{ value: 'row', text: 'rows' }, ...across.map((one) => ({ value: one.value, text: one.text }))], over, (value) => {
+    section('figures', 'Figures', select('Quantity', keysShown.map((key) => ({ value: key, text: keys.label(key) })), shown, show), select('Across', [{ value: 'row', text: 'rows' }, ...across.map((one) => ({ value: one.value, text: one.text }))], over, (value) => {
       over = value;
       view.set('figure.over', value);
       show(quantity);
