@@ -287,7 +287,7 @@ test('sweep: the scorecard holds every printed value', async () => {
   assert.match(await page.textContent('.headline'), new RegExp(`^${agrees} of ${agrees + misses} printed ranges`));
   // As the paper draws them: over the deflector's angle, the two rows of one height on one line.
   await page.selectOption('#figures label:has-text("Quantity") select', 'launch_tip_x_m');
-  await page.selectOption('#figures label:has-text("over") select', 'angle');
+  await page.selectOption('#figures label:has-text("Across") select', 'angle');
   assert.match(await page.getAttribute('#figures .chart', 'aria-label'), /over the deflector angle, 1 line;/);
   await page.locator('#figures').scrollIntoViewIfNeeded();
   await page.waitForTimeout(300);
@@ -364,12 +364,13 @@ test('a served page hears of new designs', { skip: !process.env.PARAPET }, async
     await page.waitForTimeout(700);
     writeFileSync(join(study, 'summary.json'), JSON.stringify({ ...summary, state: 'running' }));
     await page.waitForFunction(() => document.querySelector('.live').textContent.includes('There is something new'));
-    // Shown anew, with the view that was there.
+    // Shown anew, with the view that was there; while the study runs nothing is to be built.
     const id = await page.$eval('#designs tbody input:not(:checked)', (one) => one.getAttribute('aria-label'));
     await page.check(`#designs input[aria-label="${id}"]`);
     await Promise.all([page.waitForEvent('load'), page.click('.live button')]);
     await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
     assert.ok(await page.isChecked(`#designs input[aria-label="${id}"]`));
+    assert.match(await page.textContent('#build .headline'), /^Best so far: design /);
     // Following: it comes by itself, but not at once, or nobody could read it.
     await page.check('.live .tick input');
     await page.waitForTimeout(700);

@@ -152,7 +152,8 @@ function verdictBox(page: StudyPage, design: DesignReport, keys: Keys): HTMLElem
   return h(
     'div',
     { class: `verdict ${kind}` },
-    h('p', { class: 'headline' }, `Build design ${design.id}.`),
+    h('p', { class: 'headline' }, page.state === 'running' ? `Best so far: design ${design.id}.` : `Build design ${design.id}.`),
+    page.state === 'running' ? h('p', {}, 'The study still runs: wait for its end before you build.') : page.state === 'interrupted' ? h('p', {}, 'The study was interrupted: the same command goes on with it.') : null,
     h('p', {}, `${first}.`),
     h('p', {}, verdictWords[verdict] ?? verdict),
     probability !== null && probability !== undefined &&

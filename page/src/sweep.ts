@@ -223,11 +223,11 @@ export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
       ),
       scorecard(page, keys),
     ),
-    section('figures', 'Figures', select('Quantity', keysShown.map((key) => ({ value: key, text: keys.label(key) })), shown, show), select('over', [{ value: 'row', text: 'rows' }, ...across.map((one) => ({ value: one.value, text: one.text }))], over, (value) => {
+    section('figures', 'Figures', h('div', { class: 'row' }, select('Quantity', keysShown.map((key) => ({ value: key, text: keys.label(key) })), shown, show), select('Across', [{ value: 'row', text: 'rows' }, ...across.map((one) => ({ value: one.value, text: one.text }))], over, (value) => {
       over = value;
       view.set('figure.over', value);
       show(quantity);
-    }), place),
+    })), place),
     section('flow', 'What does the flow look like?', h('p', {}, `Up to ${mostSelected} rows side by side.`), choice, playback),
     section('rows', 'All rows', new Table({ name: page.name, caption: 'Every row with all its metrics', columns, rows: page.rows.length }).element),
     checkSection(page),

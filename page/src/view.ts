@@ -57,8 +57,10 @@ export function savedPage(): string {
   chosen.id = 'page-view';
   chosen.textContent = view.text();
   blocks.append(chosen);
+  const script = document.createElement('script');
+  script.textContent = program;
   const head = [...document.head.children].filter((one) => one.id !== 'page-blocks').map((one) => one.outerHTML);
-  return `<!doctype html>\n<html lang="en">\n<head>\n${head.join('\n')}\n</head>\n<body>\n${blocks.outerHTML}\n<script>${program}</script>\n</body>\n</html>\n`;
+  return `<!doctype html>\n<html lang="en">\n<head>\n${head.join('\n')}\n</head>\n<body>\n${blocks.outerHTML}\n${script.outerHTML}\n</body>\n</html>\n`;
 }
 
 export function saveButton(name: string): HTMLElement {

@@ -101,6 +101,12 @@ TEST_F(Serve, GivesThePageAndNothingElse) {
   EXPECT_PRED_FORMAT2(IsSubstring, "id=\"page-data\"", page);
   EXPECT_PRED_FORMAT2(IsSubstring, "connect-src 'self'", page);
   EXPECT_PRED_FORMAT2(IsSubstring, "X-Content-Type-Options: nosniff", page);
+  // As browsers ask. The library would compress at its slowest, which takes longer than the study.
+  const std::string asked =
+      ask(port_, "GET / HTTP/1.1\r\nHost: " + own_host() +
+                     "\r\nAccept-Encoding: gzip, deflate, br\r\nConnection: close\r\n\r\n");
+  EXPECT_PRED_FORMAT2(IsNotSubstring, "Content-Encoding", asked.substr(0, asked.find("\r\n\r\n")));
+  EXPECT_EQ(asked.size(), page.size());
   EXPECT_TRUE(get("/favicon.ico").starts_with("HTTP/1.1 204"));
   for (const char* path :
        {"/result.json", "/../secret.txt", "/..%2fsecret.txt", "/%2e%2e/secret.txt", "//etc/passwd",
