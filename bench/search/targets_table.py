@@ -4,7 +4,7 @@ import statistics
 import sys
 
 out, names = sys.argv[1], sys.argv[2:]
-print("| study | search | runs at 5, 10, 15 mm | particle-steps, median | hypervolume, median | worst | fewer steps | hypervolume kept |")
+print("| study | search | runs at 5, 10 (and 15) mm | particle-steps, median | hypervolume, median | worst | fewer steps | hypervolume kept |")
 print("|---|---|---:|---:|---:|---:|---:|---:|")
 for name in names:
     found = {}
