@@ -21,11 +21,11 @@ std::string shipped_names() {
 
 void require_format(const SpecDocument& document, const std::string& wanted,
                     const std::string& verb_for_it) {
-  const std::string format = designs::document_format(document.json, document.file);
-  if (format == wanted) return;
+  const std::string stated = designs::document_format(document.json, document.file);
+  if (stated == wanted) return;
   throw InputError({{.file = document.file,
                      .pointer = "/format",
-                     .value = '"' + format + '"',
+                     .value = '"' + stated + '"',
                      .problem = "this verb takes another kind of file",
                      .allowed = '"' + wanted + '"' + verb_for_it}});
 }
