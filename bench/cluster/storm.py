@@ -1,8 +1,8 @@
 """Nothing is lost: workers killed all the time, the scheduler twice; the log is that of a quiet run.
 
-    PYTHONPATH=build/python python3 bench/cluster/storm.py [SPEC] [EVALUATIONS] [SECONDS_BETWEEN_KILLS]
+    PYTHONPATH=build/python python3 bench/cluster/storm.py [SPEC] [EVALUATIONS] [SECONDS] [ALGORITHM]
 
-Four workers. The quiet run is one of the program `parapet` (PARAPET_PROGRAM, default build/bin/parapet) with
+Four workers; one is killed every SECONDS (5). The quiet run is one of the program `parapet` (PARAPET_PROGRAM, default build/bin/parapet) with
 four jobs. The two logs are compared line by line, but for times and the checksums over them.
 """
 
@@ -59,12 +59,12 @@ class Storm:
             self.next_kill = time.monotonic() + self.between_s
 
 
-def main(spec: str = "dual_deflector", evaluations: str = "300", between_s: str = "5") -> int:
+def main(spec: str = "dual_deflector", evaluations: str = "300", between_s: str = "5", algorithm: str = "BAYESIAN") -> int:
     program = os.environ.get("PARAPET_PROGRAM", str(root / "build/bin/parapet"))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         study = pp.Study(spec, spacing_m=0.02)
-        method = {"max_evaluations": int(evaluations)}
+        method = {"max_evaluations": int(evaluations), "algorithm": algorithm}
         study = study.changed(
             name="storm", method=method, recordings="none", objectives=coarse_objectives(study)
         )
@@ -77,6 +77,7 @@ def main(spec: str = "dual_deflector", evaluations: str = "300", between_s: str 
 
         storm = Storm(folder, float(between_s))
         begin = time.monotonic()
+        said = begin
         scheduler_at = [int(evaluations) // 3, 2 * int(evaluations) // 3]
         command = [sys.executable, "-m", "parapet", *options, "storm", "--scheduler", storm.dask.address]
         with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL) as process:
@@ -86,6 +87,9 @@ def main(spec: str = "dual_deflector", evaluations: str = "300", between_s: str 
                 if due:
                     scheduler_at.pop(0)
                 storm.step(due)
+                if time.monotonic() - said > 30.0:
+                    said = time.monotonic()
+                    print(f"  {done} designs, {storm.worker_kills} workers killed", flush=True)
                 time.sleep(0.1)
         storm.dask.close()
         print(
