@@ -1,5 +1,6 @@
 #include "barrier_runs.hpp"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -54,6 +55,21 @@ solver::Result simulated(const solver::Scene& scene, const solver::Numerics& num
 double metric(const solver::Result& result, const std::string& key) {
   const solver::Metric* found = result.find_metric(key);
   return found && found->value ? *found->value : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<Spread> spread(std::span<const solver::Result> results, const JudgedMetric& judged) {
+  std::vector<double> values;
+  double sum = 0.0, square = 0.0;
+  for (const solver::Result& result : results) {
+    const double value = judged.scale * metric(result, judged.key);
+    if (!std::isfinite(value)) continue;
+    values.push_back(value);
+    sum += value;
+  }
+  const auto n = static_cast<double>(values.size());
+  if (n < 2.0) return std::nullopt;
+  for (const double value : values) square += (value - sum / n) * (value - sum / n);
+  return Spread{sum / n, std::sqrt(square / (n - 1.0)), values.size()};
 }
 
 }  // namespace parapet::validation

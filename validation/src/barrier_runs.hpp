@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,5 +53,19 @@ inline constexpr JudgedMetric judged_metrics[] = {
     {"launch_length_m", "launch length", "mm", 1e3},
     {"barrier_1_design_force_n_per_m", "design force", "N/m", 1.0},
 };
+
+// Mean and standard deviation of a metric over the runs that have it, in the metric's unit.
+struct Spread {
+  double mean, deviation;
+  std::size_t runs;
+};
+
+// None with fewer than two such runs.
+std::optional<Spread> spread(std::span<const solver::Result> results, const JudgedMetric& judged);
+
+// What scatter and resolution are shown by.
+inline constexpr SingleBarrier three_barriers[] = {{"bare", "bare 100 mm", 0.1, bare},
+                                                   {"d0", "0 deg deflector", 0.1, 0.0},
+                                                   {"d45", "45 deg deflector", 0.1, 45.0}};
 
 }  // namespace parapet::validation

@@ -53,7 +53,7 @@ double gain(const Group& group, std::size_t lattice, const CaseRun& run) {
   numerics.lattice_seed = static_cast<unsigned>(lattice + 1);
   group.way->change(numerics);
   solver::RunOptions options;
-  options.stop_time = 0.8;  // the impact is over, nothing has left
+  options.stop_time = 0.8;  // the impact is over
   return simulated(scene, numerics, options, run).quality.energy_gain_ratio;
 }
 
@@ -105,10 +105,10 @@ void energy_gain(CaseRun& run) {
       row.upper = 100.0 * solver::QualityLimits::energy_gain_ratio;
       row.reason = "of the block's potential energy; where a result warns";
       row.explanation =
-          "the fluid that meets the barrier is 1.5 particles deep at this spacing, and without "
-          "viscosity nothing takes the energy of single particles. Twice as fine it is met; none "
-          "of "
-          "shifting, time step, sound speed and integration brings it below the limit alone (last "
+          "it comes with coarse particles: twice as fine it is met. The cause is not isolated: "
+          "none "
+          "of shifting, time step, sound speed and integration brings it below the limit alone "
+          "(last "
           "rows)";
     }
     run.add(row);

@@ -3,8 +3,7 @@
 // after the impact; this scatter is what a search over designs must live with.
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "barrier_runs.hpp"
@@ -13,10 +12,6 @@
 
 namespace parapet::validation {
 namespace {
-
-constexpr std::array<SingleBarrier, 3> designs{{{"bare", "bare 100 mm", 0.1, bare},
-                                                {"d0", "0 deg deflector", 0.1, 0.0},
-                                                {"d45", "45 deg deflector", 0.1, 45.0}}};
 
 struct Group {
   std::size_t design;
@@ -28,7 +23,7 @@ struct Group {
 };
 
 solver::Result repeat(const Group& group, std::size_t index, const CaseRun& run) {
-  solver::Scene scene = scene_of(designs[group.design]);
+  solver::Scene scene = scene_of(three_barriers[group.design]);
   solver::Numerics numerics;
   numerics.spacing = group.spacing;
   if (group.jittered) {
@@ -40,29 +35,12 @@ solver::Result repeat(const Group& group, std::size_t index, const CaseRun& run)
   return simulated(scene, numerics, run);
 }
 
-struct Scatter {
-  double mean, deviation;
-};
-
-Scatter scatter(const Group& group, const JudgedMetric& judged) {
-  double sum = 0.0, square = 0.0;
-  const auto n = static_cast<double>(group.results.size());
-  for (const solver::Result& result : group.results) {
-    sum += judged.scale * metric(result, judged.key);
-  }
-  for (const solver::Result& result : group.results) {
-    const double off = judged.scale * metric(result, judged.key) - sum / n;
-    square += off * off;
-  }
-  return {sum / n, std::sqrt(square / (n - 1.0))};
-}
-
 std::vector<Group> groups(bool full) {
   std::vector<Group> list;
   if (!full) return {{2, 0.02, true, 4, 1.0, {}}};
   list.push_back({0, 0.005, true, 6, 25.0, {}});
   list.push_back({2, 0.005, true, 6, 25.0, {}});
-  for (std::size_t design = 0; design < designs.size(); ++design) {
+  for (std::size_t design = 0; design < std::size(three_barriers); ++design) {
     list.push_back({design, 0.01, true, 12, 3.0, {}});
   }
   list.push_back({2, 0.01, false, 8, 3.0, {}});
@@ -92,19 +70,20 @@ void noise(CaseRun& run) {
   for (const Group& group : list) {
     const char* how = group.jittered ? "lattice jittered" : "yield stress + 1e-6";
     for (const JudgedMetric& judged : judged_metrics) {
-      const Scatter s = scatter(group, judged);
+      const auto s = spread(group.results, judged);
+      if (!s) continue;
       const std::string key =
-          fmt::format("{}_{}_{:.0f}mm_{}", designs[group.design].key,
+          fmt::format("{}_{}_{:.0f}mm_{}", three_barriers[group.design].key,
                       group.jittered ? "jitter" : "nudge", 1e3 * group.spacing, judged.key);
-      const std::string of = fmt::format("{}, {:.0f} mm, {}: {}", designs[group.design].name,
+      const std::string of = fmt::format("{}, {:.0f} mm, {}: {}", three_barriers[group.design].name,
                                          1e3 * group.spacing, how, judged.name);
       run.add({.key = key,
                .what = of + ", standard deviation",
-               .value = s.deviation,
+               .value = s->deviation,
                .unit = judged.unit});
       run.add({.key = key + "_mean",
-               .what = of + ", mean of " + std::to_string(group.runs),
-               .value = s.mean,
+               .what = of + ", mean of " + std::to_string(s->runs),
+               .value = s->mean,
                .unit = judged.unit});
     }
   }
@@ -114,8 +93,8 @@ void noise(CaseRun& run) {
   plot.y_label = "retention efficiency [-]";
   for (const Group& group : list) {
     reports::PlotSeries series;
-    series.label = fmt::format("{}, {:.0f} mm, {}", designs[group.design].name, 1e3 * group.spacing,
-                               group.jittered ? "jitter" : "nudge");
+    series.label = fmt::format("{}, {:.0f} mm, {}", three_barriers[group.design].name,
+                               1e3 * group.spacing, group.jittered ? "jitter" : "nudge");
     series.style = reports::SeriesStyle::line_and_markers;
     for (std::size_t k = 0; k < group.runs; ++k) {
       series.x.push_back(static_cast<double>(k + 1));

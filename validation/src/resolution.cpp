@@ -2,8 +2,8 @@
 // against the visits of particle pairs that they cost, for several h/dx and particle spacings.
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -12,10 +12,6 @@
 
 namespace parapet::validation {
 namespace {
-
-constexpr std::array<SingleBarrier, 3> rows{{{"bare", "bare 100 mm", 0.1, bare},
-                                             {"d0", "0 deg deflector", 0.1, 0.0},
-                                             {"d45", "45 deg deflector", 0.1, 45.0}}};
 
 struct Group {
   std::size_t row;
@@ -33,26 +29,6 @@ double visits(const Group& g) {
   return sum * g.ratio * g.ratio / static_cast<double>(g.results.size());
 }
 
-struct Spread {
-  double mean, deviation;
-};
-
-// Of the runs that have the metric; none with fewer than two.
-std::optional<Spread> spread(const Group& g, const JudgedMetric& judged) {
-  std::vector<double> values;
-  double sum = 0.0, square = 0.0;
-  for (const solver::Result& r : g.results) {
-    const double value = judged.scale * metric(r, judged.key);
-    if (!std::isfinite(value)) continue;
-    values.push_back(value);
-    sum += value;
-  }
-  const auto n = static_cast<double>(values.size());
-  if (n < 2.0) return std::nullopt;
-  for (const double value : values) square += (value - sum / n) * (value - sum / n);
-  return Spread{sum / n, std::sqrt(square / (n - 1.0))};
-}
-
 std::vector<Group> groups(bool full) {
   std::vector<Group> list;
   const auto add = [&](std::size_t row, double spacing, double ratio, std::size_t runs) {
@@ -62,7 +38,7 @@ std::vector<Group> groups(bool full) {
     for (const double ratio : {1.33, 2.0}) add(1, 0.02, ratio, 2);
     return list;
   }
-  for (std::size_t row = 0; row < rows.size(); ++row) {
+  for (std::size_t row = 0; row < std::size(three_barriers); ++row) {
     for (const double ratio : {1.33, 2.0}) add(row, 0.005, ratio, 4);  // first: the references
     for (const double spacing : {0.00707, 0.01}) {
       for (const double ratio : {1.33, 1.5, 1.75, 2.0}) add(row, spacing, ratio, 4);
@@ -92,7 +68,7 @@ void compute(std::vector<Group>& list, CaseRun& run) {
         numerics.smoothing_ratio = list[g].ratio;
         numerics.lattice_jitter = 0.01;
         numerics.lattice_seed = static_cast<unsigned>(k + 1);
-        list[g].results[k] = simulated(scene_of(rows[list[g].row]), numerics, run);
+        list[g].results[k] = simulated(scene_of(three_barriers[list[g].row]), numerics, run);
       },
       costs);
 }
@@ -104,7 +80,7 @@ std::optional<double> reference(const std::vector<Group>& list, std::size_t row,
   double sum = 0.0, n = 0.0;
   for (const Group& g : list) {
     if (g.row != row || g.spacing != 0.005) continue;
-    const auto s = spread(g, judged);
+    const auto s = spread(g.results, judged);
     if (!s) return std::nullopt;
     sum += s->mean;
     n += 1.0;
@@ -119,19 +95,19 @@ void resolution(CaseRun& run) {
   compute(list, run);
   const double unit = visits(list.front());
   for (const Group& g : list) {
-    const std::string key =
-        fmt::format("{}_{:.0f}mm_{:.0f}", rows[g.row].key, 1e3 * g.spacing, 100.0 * g.ratio);
+    const std::string key = fmt::format("{}_{:.0f}mm_{:.0f}", three_barriers[g.row].key,
+                                        1e3 * g.spacing, 100.0 * g.ratio);
     const std::string of =
-        fmt::format("{}, {:.1f} mm, h/dx {}", rows[g.row].name, 1e3 * g.spacing, g.ratio);
+        fmt::format("{}, {:.1f} mm, h/dx {}", three_barriers[g.row].name, 1e3 * g.spacing, g.ratio);
     run.add({.key = key + "_cost",
              .what = of + ": visits of pairs over those of the first line",
              .value = visits(g) / unit});
     for (const JudgedMetric& judged : judged_metrics) {
-      const auto s = spread(g, judged);
+      const auto s = spread(g.results, judged);
       if (!s) continue;
       const auto target = reference(list, g.row, judged);
       run.add({.key = fmt::format("{}_{}", key, judged.key),
-               .what = fmt::format("{}: {}, mean of {}", of, judged.name, g.results.size()),
+               .what = fmt::format("{}: {}, mean of {}", of, judged.name, s->runs),
                .value = s->mean,
                .unit = judged.unit});
       run.add({.key = fmt::format("{}_{}_scatter", key, judged.key),

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -38,22 +39,13 @@ solver::Result recorded(const SingleBarrier& design, const solver::Numerics& num
   }
 }
 
-// Standard deviation of a metric between the repeats.
 // A cubic has four coefficients; fewer values than this say nothing of what is left beside it.
 constexpr std::size_t least_values = 8;
 
+// Standard deviation of a metric between the repeats.
 double scatter_of(const Sweep& sweep, const JudgedMetric& judged) {
-  double sum = 0.0, square = 0.0, n = 0.0;
-  std::vector<double> values;
-  for (const solver::Result& r : sweep.repeats) {
-    const double value = judged.scale * metric(r, judged.key);
-    if (!std::isfinite(value)) continue;
-    values.push_back(value);
-    sum += value;
-    n += 1.0;
-  }
-  for (const double value : values) square += (value - sum / n) * (value - sum / n);
-  return std::sqrt(square / (n - 1.0));
+  const auto s = spread(sweep.repeats, judged);
+  return s ? s->deviation : std::numeric_limits<double>::quiet_NaN();
 }
 
 // Residuals of a cubic fit, and their standard deviation.

@@ -69,12 +69,12 @@ double speed_over_creep(double slope, Scheme scheme) {
 // above it flows as a Bingham fluid, here 30 times as fast at 2 deg more.
 TEST(FrictionAngle, ALayerStopsBelowItAndFlowsAboveIt) {
   const double below = speed_over_creep(18.5 * degree, Scheme::corrected);
-  // 2 %: what 8 particles across cost a layer without slip (docs/validation/uniform_flow.md)
+  // 2 %: as far as the finer layer is off below its slope (docs/validation/frictional_layer.md)
   EXPECT_NEAR(below, std::tan(18.5 * degree) / std::tan(20.0 * degree), 0.02);
   EXPECT_GT(speed_over_creep(21.5 * degree, Scheme::corrected), 5.0);
 }
 
-// The paper's sums resist less than tau_y: the layer flows from about 17.5 deg on
+// The paper's sums resist less than tau_y: the layer flows from about 18 deg on
 // (docs/validation/frictional_layer.md).
 TEST(FrictionAngle, AsPublishedTheLayerStopsSomewhatBelowIt) {
   EXPECT_LT(speed_over_creep(16.0 * degree, Scheme::as_published), 1.0);
