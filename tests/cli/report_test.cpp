@@ -178,8 +178,8 @@ TEST(Report, TheTableOfDesignsHoldsWhatTheLogHolds) {
   EXPECT_TRUE(row.starts_with(first["id"].get<std::string>() + "," +
                               first["stage"].get<std::string>() + ",ok,,"))
       << row;
-  EXPECT_PRED_FORMAT2(IsSubstring, "," + first["metrics"]["retention_efficiency"].dump() + ",",
-                      row);
+  const std::string retention = first["metrics"]["retention_efficiency"].dump();
+  EXPECT_PRED_FORMAT2(IsSubstring, ',' + retention + ',', row);
 }
 
 TEST(Report, SeveralStudiesComeIntoOneFront) {
