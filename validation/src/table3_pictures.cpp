@@ -128,7 +128,7 @@ void draw_table3_flows(CaseRun& run, const std::vector<designs::SweepRow>& rows,
           rows.begin());
       const double time = time_of(panel, results[k]);
       picture.panels.push_back(frames[k].at(time));
-      picture.panels.back().title = fmt::format("{}, {:.3g} s", panel.row, time);
+      picture.panels.back().title = fmt::format("{}, {:.4g} s", panel.row, time);
     }
     draw(run, figure.file, picture);
   }

@@ -23,7 +23,7 @@ Backflow backflow(const GaugeScene& g, std::size_t barrier, const Fluid& f) {
     mass += f.mass[i];
   }
   Backflow back{.share = mass / g.released_mass, .speed = {}};
-  const double wanted = g.settings.run_up_mass_share * g.released_mass;
+  const double wanted = g.settings.impact_mass_share * g.released_mass;
   if (mass < wanted) return back;
   std::sort(parcels.begin(), parcels.end(), [](const Parcel& a, const Parcel& b) {
     return a.speed > b.speed || (a.speed == b.speed && a.mass > b.mass);

@@ -15,7 +15,7 @@ struct Backflow {
 };
 
 // What moves upstream along the channel faster than rest_speed, between the line of the barrier
-// before (or the back wall) and this barrier's. `speed` is the one that run_up_mass_share of the
+// before (or the back wall) and this barrier's. `speed` is the one that impact_mass_share of the
 // released mass exceeds.
 Backflow backflow(const GaugeScene& g, std::size_t barrier, const Fluid& fluid);
 

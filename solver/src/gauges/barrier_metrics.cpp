@@ -238,12 +238,12 @@ constexpr std::array barrier_entries{
                 .least = 0.0,
                 .absent_when = {&no_backflow},
                 .definition =
-                    "largest speed upstream that run_up_mass_share (0.1 %) of the released mass "
+                    "largest speed upstream that impact_mass_share (0.5 %) of the released mass "
                     "exceeds there at once",
                 .gauge = [](Readings run, std::size_t k) -> Reading {
                   return {run.barriers[k].events.backflow.speed, no_backflow};
                 },
-                .mass_share = [](Settings s) { return s.run_up_mass_share; }},
+                .mass_share = [](Settings s) { return s.impact_mass_share; }},
 };
 
 static_assert(complete(barrier_entries), "every metric needs a key, a definition and a gauge");

@@ -53,7 +53,7 @@ inline constexpr Absent little_passed{.text =
 inline constexpr Absent no_dead_zone{.text = "no dead zone as long as one column formed",
                                      .may_come = true};
 inline constexpr Absent no_backflow{
-    .text = "less than run_up_mass_share of the released mass flowed back at once",
+    .text = "less than impact_mass_share of the released mass flowed back at once",
     .may_come = true};
 inline constexpr Absent no_ramp_held{.text = "the debris did not reach over the whole ramp"};
 inline constexpr Absent no_force{.text = "no force acted on the barrier", .may_come = true};

@@ -26,11 +26,11 @@ TEST(Backflow, IsWhatRunsUpstreamBetweenTheBarriers) {
   EXPECT_DOUBLE_EQ(*backflow(c.gauge, 1, f).speed, 0.5) << "along the channel";
 }
 
-TEST(Backflow, ItsSpeedIsThatOfAThousandthOfTheMassNotOfADroplet) {
+TEST(Backflow, ItsSpeedIsThatOfHalfAPercentOfTheMassNotOfADroplet) {
   TwoBarriers c;
-  std::vector<Placed> placed{{1.2, 0.0, 0.0006, -3.0, 0.0}};
+  std::vector<Placed> placed{{1.2, 0.0, 0.003, -3.0, 0.0}};
   EXPECT_FALSE(backflow(c.gauge, 1, fluid_of(placed)).speed);
-  placed.push_back({1.2, 0.1, 0.0006, -0.4, 0.0});
+  placed.push_back({1.2, 0.1, 0.003, -0.4, 0.0});
   EXPECT_DOUBLE_EQ(*backflow(c.gauge, 1, fluid_of(placed)).speed, 0.4);
 }
 
