@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -13,7 +12,9 @@
 #include "barrier_runs.hpp"
 #include "cases.hpp"
 #include "parapet/designs/study_spec.hpp"
+#include "table3_pictures.hpp"
 #include "table3_plots.hpp"
+#include "table3_rows.hpp"
 
 namespace parapet::validation {
 namespace {
@@ -140,31 +141,6 @@ void add_readings(CaseRun& run, const designs::SweepRow& row, const solver::Resu
   }
 }
 
-// Rows by their ID.
-class Rows {
- public:
-  Rows(const std::vector<designs::SweepRow>& rows, const std::vector<solver::Result>& results) {
-    for (std::size_t k = 0; k < rows.size(); ++k) results_[rows[k].id] = &results[k];
-  }
-  bool has(const std::string& id) const { return results_.contains(id); }
-  const solver::Result& result(const std::string& id) const { return *results_.at(id); }
-  double operator()(const std::string& id, const std::string& key) const {
-    return metric(result(id), key);
-  }
-
- private:
-  std::map<std::string, const solver::Result*> results_;
-};
-
-// Smallest step from row to row; positive when the metric rises all along.
-double smallest_rise(const Rows& rows, const std::vector<std::string>& ids, const char* key) {
-  double least = 1e9;
-  for (std::size_t k = 1; k < ids.size(); ++k) {
-    least = std::min(least, rows(ids[k], key) - rows(ids[k - 1], key));
-  }
-  return least;
-}
-
 // Time after which the first barrier's retention stays within 0.02 of its end.
 double stable_from(const solver::Result& result) {
   const auto& columns = result.series.columns;
@@ -178,21 +154,6 @@ double stable_from(const solver::Result& result) {
 }
 
 const std::vector<std::string> singles{"H10-WD2", "H10-D0", "H10-D30", "H10-D45", "H10-D60"};
-const std::vector<std::string> angles{"H10-D0", "H10-D30", "H10-D45", "H10-D60"};
-
-void add_trend(CaseRun& run, const char* key, const std::string& what, double value,
-               const char* unit, std::optional<double> lower, std::optional<double> upper,
-               const std::string& stated, const std::string& explanation = "") {
-  run.add({.key = key,
-           .what = what,
-           .value = value,
-           .unit = unit,
-           .lower = lower,
-           .upper = upper,
-           .reason = stated,
-           .explanation = explanation});
-}
-
 void add_overflow_trends(CaseRun& run, const Rows& rows) {
   const auto launch = [&](const char* id) { return 1e3 * rows(id, "launch_length_m"); };
   add_trend(run, "launch_falls", "launch length: 45 deg less 0 deg",
@@ -326,7 +287,7 @@ void table3(CaseRun& run) {
     });
   }
   std::vector<solver::Result> results(sweep.rows.size());
-  std::vector<std::vector<TimedPanel>> panels(sweep.rows.size());
+  std::vector<Frames> frames(sweep.rows.size());
   run.side_by_side(
       sweep.rows.size(),
       [&](std::size_t k) {
@@ -336,9 +297,9 @@ void table3(CaseRun& run) {
         // metrics as `parapet table3` reads them; the pictures go on until all is at rest
         results[k] = simulated(spec.scene, numerics, spec.run, run);
         if (!run.full()) return;
-        simulated(spec.scene, numerics, run, 0.025, [&](const solver::Frame& frame) {
-          if (frame.time < 3.5) panels[k].push_back(timed_panel(frame, spec.scene));
-        });
+        frames[k] = Frames(pictured_times(sweep.rows[k].id, results[k]), spec.scene);
+        simulated(spec.scene, numerics, run, Frames::interval,
+                  [&](const solver::Frame& frame) { frames[k].take(frame); });
       },
       std::vector<double>(sweep.rows.size(), run.full() ? 20.0 : 1.5));
   for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
@@ -351,7 +312,9 @@ void table3(CaseRun& run) {
   add_overflow_trends(run, rows);
   add_energy_trends(run, rows);
   add_retention_trends(run, rows);
-  draw_table3(run, sweep.rows, results, panels);
+  add_words(run, rows);
+  draw_table3(run, sweep.rows, results);
+  draw_table3_flows(run, sweep.rows, results, frames);
 }
 
 }  // namespace parapet::validation

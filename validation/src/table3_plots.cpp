@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
+#include <utility>
 
 #include "barrier_runs.hpp"
 #include "parapet/reports/line_plot.hpp"
@@ -51,69 +51,75 @@ void draw_series(CaseRun& run, const char* file, const char* title, const char* 
   draw_line_plot(run.figure(file), plot);
 }
 
-const ParticlePanel& nearest(const std::vector<TimedPanel>& panels, double time) {
-  const TimedPanel* best = &panels.front();
-  for (const TimedPanel& p : panels) {
-    if (std::abs(p.time - time) < std::abs(best->time - time)) best = &p;
-  }
-  return best->panel;
-}
-
-void draw_panels(CaseRun& run, const char* file, const char* title,
-                 std::vector<ParticlePanel> panels, solver::Vec2 from, solver::Vec2 to) {
-  ParticlePicture picture;
-  picture.title = title;
-  picture.quantity = "speed [m/s]";
-  picture.high = 2.5;
-  picture.spacing = 0.005;
-  picture.window_from = from;
-  picture.window_to = to;
-  picture.columns = 2;
-  picture.panels = std::move(panels);
-  draw(run, file, picture);
-}
-
-// Against the deflector's angle, with what the paper states.
-void draw_launch(CaseRun& run, const std::vector<designs::SweepRow>& rows,
-                 const std::vector<solver::Result>& results) {
-  reports::LinePlot plot;
-  plot.title = "How far the overflow reaches at 1.05 s";
-  plot.x_label = "deflector angle [deg]";
-  plot.y_label = "x of its tip, from the back wall [m]";
+// A metric against the deflector's angle.
+reports::PlotSeries by_angle(const std::vector<designs::SweepRow>& rows,
+                             const std::vector<solver::Result>& results, const char* key) {
   reports::PlotSeries ours{"simulated", {}, {}, reports::SeriesStyle::line_and_markers, 0};
   for (const double angle : {0.0, 30.0, 45.0, 60.0}) {
     ours.x.push_back(angle);
-    ours.y.push_back(
-        metric(results[index_of(rows, fmt::format("H10-D{:.0f}", angle))], "launch_tip_x_m"));
+    ours.y.push_back(metric(results[index_of(rows, fmt::format("H10-D{:.0f}", angle))], key));
   }
-  const double without = metric(results[index_of(rows, "H10-WD2")], "launch_tip_x_m");
-  plot.series = {
-      ours,
-      {"Huang et al. 2024", {0.0, 45.0}, {1.845, 1.273}, reports::SeriesStyle::markers, 1},
-      {"bare, simulated", {0.0, 60.0}, {without, without}, reports::SeriesStyle::dashed, 0},
-      {"bare, Huang et al. 2024", {0.0, 60.0}, {1.715, 1.715}, reports::SeriesStyle::dashed, 1}};
+  return ours;
+}
+
+void draw_by_angle(CaseRun& run, const char* file, const char* title, const char* y_label,
+                   std::vector<reports::PlotSeries> series) {
+  reports::LinePlot plot;
+  plot.title = title;
+  plot.x_label = "deflector angle [deg]";
+  plot.y_label = y_label;
+  plot.series = std::move(series);
   plot.width_px = 800;
   plot.height_px = 460;
-  draw_line_plot(run.figure("launch.png"), plot);
+  draw_line_plot(run.figure(file), plot);
+}
+
+// With what the paper prints; its curves are not to be had.
+void draw_angles(CaseRun& run, const std::vector<designs::SweepRow>& rows,
+                 const std::vector<solver::Result>& results) {
+  using reports::SeriesStyle;
+  const double without = metric(results[index_of(rows, "H10-WD2")], "launch_tip_x_m");
+  draw_by_angle(run, "launch.png", "How far the overflow reaches at 1.05 s (the paper's Fig. 9a)",
+                "x of its tip, from the back wall [m]",
+                {by_angle(rows, results, "launch_tip_x_m"),
+                 {"Huang et al. 2024", {0.0, 45.0}, {1.845, 1.273}, SeriesStyle::markers, 1},
+                 {"bare, simulated", {0.0, 60.0}, {without, without}, SeriesStyle::dashed, 0},
+                 {"bare, Huang et al. 2024", {0.0, 60.0}, {1.715, 1.715}, SeriesStyle::dashed, 1}});
+  reports::PlotSeries ramp = by_angle(rows, results, "ramp_angle_deg");
+  ramp.label = "slope of the ramp at 1.05 s";
+  ramp.color = 2;
+  draw_by_angle(run, "launch_angle.png", "Direction of the overflow (the paper's Fig. 9b)",
+                "launch angle [deg]",
+                {by_angle(rows, results, "launch_angle_deg"),
+                 std::move(ramp),
+                 {"Huang et al. 2024, \"approximately\"",
+                  {0.0, 60.0},
+                  {20.0, 35.0},
+                  SeriesStyle::markers,
+                  1}});
+  draw_by_angle(run, "dead_zone.png", "Length of the dead zone (the paper's Fig. 10)",
+                "over the deflector's length, D_F [-]",
+                {by_angle(rows, results, "dead_zone_ratio"),
+                 {"Huang et al. 2024: above 3.5 beyond 30 deg",
+                  {30.0, 60.0},
+                  {3.5, 3.5},
+                  SeriesStyle::dashed,
+                  1}});
+  draw_by_angle(run, "retention_angle.png", "Retention by angle (the paper's Fig. 17)",
+                "retention efficiency [-]",
+                {by_angle(rows, results, "retention_efficiency"),
+                 {"Huang et al. 2024: above 0.8 from 45 deg",
+                  {45.0, 60.0},
+                  {0.8, 0.8},
+                  SeriesStyle::dashed,
+                  1}});
 }
 
 }  // namespace
 
-TimedPanel timed_panel(const solver::Frame& frame, const solver::Scene& scene) {
-  TimedPanel timed{frame.time, {}};
-  timed.panel.x.assign(frame.x.begin(), frame.x.end());
-  timed.panel.z.assign(frame.z.begin(), frame.z.end());
-  for (std::size_t i = 0; i < frame.u.size(); ++i) {
-    timed.panel.quantity.push_back(std::hypot(frame.u[i], frame.w[i]));
-  }
-  timed.panel.walls = outlines(scene);
-  return timed;
-}
-
 void draw_table3(CaseRun& run, const std::vector<designs::SweepRow>& rows,
-                 const std::vector<solver::Result>& results,
-                 const std::vector<std::vector<TimedPanel>>& panels) {
-  draw_launch(run, rows, results);
+                 const std::vector<solver::Result>& results) {
+  draw_angles(run, rows, results);
   draw_series(run, "retention.png", "Retention of the upstream barrier (the paper's Fig. 16)",
               "retention efficiency [-]", singles, "barrier_1_retention_efficiency", 2.0, rows,
               results);
@@ -123,24 +129,9 @@ void draw_table3(CaseRun& run, const std::vector<designs::SweepRow>& rows,
   draw_series(run, "energy.png", "Kinetic energy at the barrier (the paper's Fig. 11)",
               "energy in x = 1.05 to 1.15 m [J/m]", singles, "window_kinetic_energy_j_per_m", 2.0,
               rows, results);
-  std::vector<ParticlePanel> landing;
-  for (const std::string& id : singles) {
-    const std::size_t k = index_of(rows, id);
-    const double time = metric(results[k], "impact_time_s");
-    landing.push_back(nearest(panels[k], time));
-    landing.back().title = fmt::format("{}, {:.2f} s", id, time);
-  }
-  landing.push_back(nearest(panels[index_of(rows, "H0-WD")], 0.625));
-  landing.back().title = "open channel, 0.625 s";
-  draw_panels(run, "landing.png", "The overflow lands (the paper's Fig. 7 and 8)",
-              std::move(landing), {0.7, -0.02}, {1.8, 0.35});
-  std::vector<ParticlePanel> piles;
-  for (const char* id : {"H10-D0-H25", "H10-D45-H25", "H10-WD2-H25", "H18-WD-H25"}) {
-    piles.push_back(nearest(panels[index_of(rows, id)], 3.0));
-    piles.back().title = fmt::format("{}, 3 s or settled", id);
-  }
-  draw_panels(run, "piles.png", "What the barriers hold (the paper's Fig. 15 and 18)",
-              std::move(piles), {0.5, -0.02}, {1.9, 0.35});
+  draw_series(run, "energy_dual.png", "Kinetic energy, two barriers (the paper's Fig. 13)",
+              "energy in x = 1.05 to 1.15 m [J/m]", duals, "window_kinetic_energy_j_per_m", 2.5,
+              rows, results);
 }
 
 }  // namespace parapet::validation

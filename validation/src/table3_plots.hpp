@@ -1,24 +1,16 @@
-// Figures of the Table 3 case, after those of the source paper.
+// Curves of the Table 3 case, after those of the source paper.
 #pragma once
 
 #include <vector>
 
+#include "case.hpp"
 #include "parapet/designs/study_spec.hpp"
-#include "particle_picture.hpp"
+#include "parapet/solver/result.hpp"
 
 namespace parapet::validation {
 
-struct TimedPanel {
-  double time;  // [s]
-  ParticlePanel panel;
-};
-
-// Particles of a frame coloured by speed [m/s], with bed and barriers.
-TimedPanel timed_panel(const solver::Frame& frame, const solver::Scene& scene);
-
-// rows, results and panels go together: [n_rows].
+// rows and results go together: [n_rows].
 void draw_table3(CaseRun& run, const std::vector<designs::SweepRow>& rows,
-                 const std::vector<solver::Result>& results,
-                 const std::vector<std::vector<TimedPanel>>& panels);
+                 const std::vector<solver::Result>& results);
 
 }  // namespace parapet::validation

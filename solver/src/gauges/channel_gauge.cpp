@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bed.hpp"
 #include "parapet/flow/index.hpp"
 
 namespace parapet::solver {
@@ -11,17 +10,6 @@ namespace {
 
 double speed_squared(const Fluid& f, std::size_t i) {
   return f.u[i] * f.u[i] + f.w[i] * f.w[i];
-}
-
-// On the bed alone a layer of tau_y/(rho g sin a) can stay at rest; what is clearly deeper rests
-// because the barrier holds it.
-double least_dead_depth(const GaugeScene& g, double slope) {
-  const Scene& scene = *g.scene;
-  const double drive = scene.material.density * scene.gravity * std::sin(std::abs(slope));
-  const double layer = drive > 0.0 ? scene.material.yield_stress / drive : 0.0;
-  return std::clamp(g.settings.dead_zone_depth_factor * layer,
-                    g.length(g.settings.dead_zone_least_depth_ratio),
-                    g.length(g.settings.dead_zone_most_depth_ratio));
 }
 
 }  // namespace
@@ -80,31 +68,6 @@ double total_kinetic_energy(const Fluid& f) {
   double energy = 0.0;
   for (std::size_t i = 0; i < at(f.n); ++i) energy += 0.5 * f.mass[i] * speed_squared(f, i);
   return energy;
-}
-
-double dead_zone_length(const GaugeScene& g, const Fluid& f) {
-  if (g.lines.empty()) return 0.0;
-  const double foot = g.lines.front().foot.x;
-  // columns parallel to the stem, so that the first one is as deep as the others
-  const double lean = g.lines.front().downstream.z / g.lines.front().downstream.x;
-  const double bin_length = g.length(g.settings.dead_zone_window_ratio);
-  const double rest_speed = g.speed(g.settings.rest_speed_ratio);
-  const auto bins = at(static_cast<int>(std::ceil(foot / bin_length)));
-  std::vector<double> at_rest(bins, 0.0);
-  for (std::size_t i = 0; i < at(f.n); ++i) {
-    const double upstream = foot - (f.x[i] + lean * f.z[i]);
-    if (upstream <= 0.0 || speed_squared(f, i) >= rest_speed * rest_speed) continue;
-    at_rest[std::min(bins - 1, at(static_cast<int>(upstream / bin_length)))] += f.mass[i];
-  }
-  double length = 0.0;
-  for (std::size_t bin = 0; bin < bins; ++bin) {
-    const double to = foot - static_cast<double>(bin) * bin_length;
-    const double slope = bed_slope(*g.scene, std::max(0.0, to - bin_length), to);
-    const double enough = g.scene->material.density * bin_length * least_dead_depth(g, slope);
-    if (at_rest[bin] < enough) return length + bin_length * at_rest[bin] / enough;
-    length += bin_length;
-  }
-  return length;
 }
 
 }  // namespace parapet::solver

@@ -1,4 +1,4 @@
-// Front, depth, kinetic energy and dead zone: what is read along the channel at one instant.
+// Front, depth and kinetic energy: what is read along the channel at one instant.
 #pragma once
 
 #include "gauge_scene.hpp"
@@ -18,10 +18,5 @@ double flow_depth_at(const GaugeScene& g, const Fluid& fluid, double x);
 // Eq. 16 in energy_window either side of the gauge [J/m].
 double window_kinetic_energy(const GaugeScene& g, const Fluid& fluid);
 double total_kinetic_energy(const Fluid& fluid);  // [J/m]
-
-// Length along the bed, from the foot upstream, over which without a gap more material is at rest
-// (slower than rest_speed) than the bed alone can hold: deeper than dead_zone_depth_factor
-// tau_y/(rho g sin a), a the slope of the bed there [m].
-double dead_zone_length(const GaugeScene& g, const Fluid& fluid);
 
 }  // namespace parapet::solver

@@ -18,10 +18,10 @@ struct BarrierLine {
 struct GaugeScene {
   const Scene* scene = nullptr;
   std::vector<BarrierLine> lines;
-  BarrierLine edge;            // of the first barrier, through the last edge that guides the flow
-  double gauge_x = 0.0;        // first foot, or the monitored place [m]
-  double released_mass = 0.0;  // [kg/m]
-  double spacing = 0.0;        // [m]
+  std::vector<BarrierLine> edges;  // parallel, through the last edge that guides the flow
+  double gauge_x = 0.0;            // first foot, or the monitored place [m]
+  double released_mass = 0.0;      // [kg/m]
+  double spacing = 0.0;            // [m]
   GaugeSettings settings;
   EventUnits units = event_units(Scene{}, GaugeSettings{});
 

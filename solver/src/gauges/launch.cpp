@@ -9,7 +9,8 @@ namespace parapet::solver {
 void LaunchGauge::observe(const Fluid& f, double time) {
   if (g_.lines.empty()) return;
   const BarrierLine& line = g_.lines.front();
-  const Vec2 up{-g_.edge.downstream.z, g_.edge.downstream.x};
+  const BarrierLine& edge = g_.edges.front();
+  const Vec2 up{-edge.downstream.z, edge.downstream.x};
   const double approach_height = g_.length(g_.settings.approach_height_ratio);
   const double landing_height = g_.length(g_.settings.landing_height_ratio);
   if (passed_.empty()) {
@@ -20,11 +21,13 @@ void LaunchGauge::observe(const Fluid& f, double time) {
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
     const Vec2 p{f.x[i], f.z[i]};
-    if (g_.edge.offset(p) < 0.0) continue;
+    if (edge.offset(p) < 0.0) continue;
     const auto id = static_cast<std::size_t>(f.id[i]);
-    if (!passed_[id] && dot(p - g_.edge.foot, up) > 0.0) {
+    if (!passed_[id] && dot(p - edge.foot, up) > 0.0) {
       passed_[id] = 1;
       passages_[id] = {f.x[i], f.z[i], f.u[i], f.w[i]};
+      lately_.push_back({time, f.mass[i], f.mass[i] * Vec2{f.u[i], f.w[i]}});
+      passed_mass_ += f.mass[i];
     }
     if (landed_[id] || line.offset(p) < 0.0) continue;
     const double above = f.z[i] - bed_below(*g_.scene, p);
@@ -37,6 +40,26 @@ void LaunchGauge::observe(const Fluid& f, double time) {
       landed_mass_ += f.mass[i];
     }
   }
+  watch_sheet(time);
+}
+
+// Sums anew, so that nothing drifts; a window holds few particles.
+void LaunchGauge::watch_sheet(double time) {
+  const double window = g_.time(g_.settings.discharge_time_ratio);
+  while (!lately_.empty() && lately_.front().time <= time - window) lately_.pop_front();
+  Discharge now;
+  for (const Passed& p : lately_) {
+    now.mass += p.mass;
+    now.momentum = now.momentum + p.momentum;
+  }
+  if (now.mass > largest_.mass) largest_ = now;
+}
+
+std::optional<LaunchGauge::Sheet> LaunchGauge::sheet() const {
+  const double speed = largest_.mass > 0.0 ? norm(largest_.momentum) / largest_.mass : 0.0;
+  if (passed_mass_ < impact_mass() || !(speed > 0.0)) return std::nullopt;
+  const double window = g_.time(g_.settings.discharge_time_ratio);
+  return Sheet{speed, largest_.mass / (g_.scene->material.density * window * speed)};
 }
 
 bool LaunchGauge::landing(const Fluid& f) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -27,12 +28,20 @@ class LaunchGauge {
     double x;       // mean place of that [m]
   };
 
+  // The sheet over the last edge while its discharge, a mean over discharge_time, is largest.
+  struct Sheet {
+    double speed;      // of the mean momentum [m/s]
+    double thickness;  // across that momentum: discharge over speed [m]
+  };
+
   explicit LaunchGauge(const GaugeScene& g) : g_(g) {}
   // After every time step.
   void observe(const Fluid& fluid, double time);
   // Nothing when too little has landed.
   std::optional<Impact> impact() const;
   std::optional<Launch> launch() const;
+  // Nothing when less than impact_mass_share of the released mass has passed the edge.
+  std::optional<Sheet> sheet() const;
   double landed_share() const { return landed_mass_ / g_.released_mass; }
   // Whether what is in the air beyond the first barrier can still change impact and launch: the
   // first launch_mass_share have not all landed, and with it there would be enough of them.
@@ -42,12 +51,21 @@ class LaunchGauge {
   struct Passage {
     double x, z, u, w;
   };
+  struct Passed {
+    double time, mass;
+    Vec2 momentum;
+  };
+  struct Discharge {
+    double mass = 0.0;
+    Vec2 momentum;
+  };
   struct Landing {
     double time, mass, x, speed;
     std::int32_t id;
   };
 
   std::vector<Landing> first_landings() const;
+  void watch_sheet(double time);
   double impact_mass() const { return g_.settings.impact_mass_share * g_.released_mass; }
   double place_mass() const { return g_.settings.launch_mass_share * g_.released_mass; }
 
@@ -56,6 +74,9 @@ class LaunchGauge {
   std::vector<Passage> passages_;       // [n_released], where passed
   std::vector<double> approach_speed_;  // [n_released], negative until near the bed
   std::vector<Landing> landings_;
+  std::deque<Passed> lately_;  // within discharge_time
+  Discharge largest_;
+  double passed_mass_ = 0.0;
   double landed_mass_ = 0.0;
 };
 

@@ -86,6 +86,7 @@ RunReadings Recorder::readings() const {
                                       g_.time(g_.settings.discharge_time_ratio));
   run.impact = launch_.impact();
   run.launch = launch_.launch();
+  run.sheet = launch_.sheet();
   run.instant = instant_;
   run.instant_wanted = options_.reading_time > 0.0;
   std::size_t landing = last;
@@ -102,6 +103,7 @@ RunReadings Recorder::readings() const {
     if (arrival_[k] >= 0.0) barrier.arrival = arrival_[k];
     barrier.loads = loads_.loads()[k];
     barrier.impulse = impulse_[k];
+    barrier.events = held_[k];
     const BarrierLoad& design = barrier.loads.design;
     const double pushing = dot(design.force, g_.lines[k].downstream);
     if (pushing > 0.0) barrier.load_height = design.moment / pushing;
@@ -130,6 +132,10 @@ std::vector<Metric> Recorder::metrics(const Flow& flow, StopReason stop_reason) 
   run.unfinished = unfinished(flow, stop_reason);
   if (stop_reason == StopReason::settled && options_.until_rest) {
     for (std::size_t k = 0; k < run.barriers.size(); ++k) run.barriers[k].at_rest = load_at_rest(k);
+  }
+  const double reach = 2.0 * flow.smoothing_length();
+  for (std::size_t k = 0; k < run.barriers.size(); ++k) {
+    run.barriers[k].held = {dead_zone(g_, k, flow.fluid()), ramp(g_, k, flow.fluid(), reach)};
   }
   return read_metrics(run);
 }

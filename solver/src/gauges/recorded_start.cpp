@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "channel_gauge.hpp"
-#include "instant.hpp"
+#include "dead_zone.hpp"
 #include "quality.hpp"
 
 namespace parapet::solver {
@@ -22,7 +22,7 @@ GaugeSight::GaugeSight(const GaugeScene& g, double reach) : nearest_x_(g.gauge_x
     }
   }
   lines_ = g.lines;
-  if (!g.lines.empty()) lines_.push_back(g.edge);
+  if (!g.lines.empty()) lines_.push_back(g.edges.front());
 }
 
 bool GaugeSight::clear(double x, double z) const {

@@ -18,11 +18,9 @@ GaugeScene gauge_scene(const Scene& scene, const Flow& flow, const GaugeSettings
   for (const Barrier& barrier : scene.barriers) {
     const Vec2 stem = stem_direction(scene, barrier);
     g.lines.push_back({{barrier.foot_x, 0.0}, {stem.z, -stem.x}});
-  }
-  if (!scene.barriers.empty()) {
-    const Barrier& first = scene.barriers.front();
-    const std::vector<Vec2> outline = barrier_outline(scene, first);
-    g.edge = {outline[first.deflector ? 2 : 1], g.lines.front().downstream};  // tip, or crest
+    const std::vector<Vec2> outline = barrier_outline(scene, barrier);
+    g.edges.push_back(
+        {outline[barrier.deflector ? 2 : 1], g.lines.back().downstream});  // tip, or crest
   }
   g.gauge_x = scene.barriers.empty() ? scene.monitor_x : scene.barriers.front().foot_x;
   for (std::size_t i = 0; i < static_cast<std::size_t>(flow.fluid().n); ++i) {
@@ -47,6 +45,7 @@ Recorder::Recorder(const Scene& scene, const Flow& flow, const RunOptions& optio
       arrival_(scene.barriers.size(), -1.0),
       impulse_before_(scene.barriers.size()),
       impulse_(scene.barriers.size()),
+      held_(scene.barriers.size()),
       particles_(flow.fluid().n) {
   series_.columns = {"time_s",
                      "kinetic_energy_j_per_m",
@@ -118,7 +117,7 @@ void Recorder::add_sample(const RecordedStart::Sample& sample, const Fluid& f) {
                           sample.left_mass};
   if (!g_.lines.empty()) {
     row.push_back(launch_.landed_share());
-    row.push_back(dead_zone_length(g_, f));
+    row.push_back(dead_zone(g_, 0, f).length);
   }
   const auto loads = loads_.read();
   for (std::size_t k = 0; k < g_.lines.size(); ++k) {
@@ -131,6 +130,7 @@ void Recorder::add_sample(const RecordedStart::Sample& sample, const Fluid& f) {
             flow_depth_at(g_, f, g_.gauge_x - g_.length(g_.settings.front_clearance_ratio));
       }
     }
+    if (arrival_[k] >= 0.0) watch_held(k, f, sample.time);
     row.push_back(retention_efficiency(g_, g_.lines[k], f, sample.left_mass));
     row.push_back(run_up_height(g_, g_.lines[k], f));
     const BarrierLoad &stem = loads[cells_per_barrier * k],
@@ -144,6 +144,20 @@ void Recorder::add_sample(const RecordedStart::Sample& sample, const Fluid& f) {
   series_.rows.push_back(std::move(row));
   inside_ = std::max(inside_, sample.inside_walls);
   if (options_.settled.enabled && !options_.until_rest) watch_metrics(sample.time);
+}
+
+// From the arrival at a barrier on.
+void Recorder::watch_held(std::size_t k, const Fluid& f, double time) {
+  HeldEvents& events = held_[k];
+  if (!events.dead_zone_onset &&
+      dead_zone(g_, k, f).length >= g_.length(g_.settings.dead_zone_window_ratio)) {
+    events.dead_zone_onset = time;
+  }
+  const Backflow now = backflow(g_, k, f);
+  events.backflow.share = std::max(events.backflow.share, now.share);
+  if (now.speed) {
+    events.backflow.speed = std::max(events.backflow.speed.value_or(0.0), *now.speed);
+  }
 }
 
 bool Recorder::unfinished(const Flow& flow, StopReason stop_reason) const {

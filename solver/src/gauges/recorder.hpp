@@ -66,6 +66,7 @@ class Recorder {
 
   void watch_events(const Flow& flow);
   void add_sample(const RecordedStart::Sample& sample, const Fluid& fluid);
+  void watch_held(std::size_t barrier, const Fluid& fluid, double time);
   RunReadings readings() const;
   BarrierLoad load_at_rest(std::size_t barrier) const;
   void count_at_rest(const Fluid& fluid);
@@ -87,6 +88,7 @@ class Recorder {
   // [n_barriers] impulse at the arrival, and from there over impulse_time once that is over [N s/m]
   std::vector<Vec2> impulse_before_;
   std::vector<std::optional<double>> impulse_;
+  std::vector<HeldEvents> held_;  // [n_barriers]
   std::optional<InstantReadings> instant_;
   RecordedStart::Sample last_sample_{};
   std::int64_t particles_ = 0;  // released

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "backflow.hpp"
 #include "barrier_load.hpp"
 #include "instant.hpp"
 #include "launch.hpp"
@@ -44,6 +45,18 @@ struct DeepestFlow {
   double depth, time;  // [m], [s]
 };
 
+// What a barrier holds.
+struct HeldDebris {
+  DeadZone dead_zone;
+  Ramp ramp;
+};
+
+// What happened upstream of a barrier since the flow met it.
+struct HeldEvents {
+  std::optional<double> dead_zone_onset;  // [s]
+  Backflow backflow;                      // the largest share, the largest speed
+};
+
 struct BarrierReadings {
   double retained = 0.0;          // share of the released mass, at the end
   double run_up = 0.0;            // largest [m]
@@ -52,6 +65,8 @@ struct BarrierReadings {
   std::optional<double> load_height;   // along the stem, where the design load acts [m]
   std::optional<double> impulse;       // over impulse_time from the arrival on [N s/m]
   std::optional<BarrierLoad> at_rest;  // mean over the end of a run until rest
+  HeldEvents events;
+  std::optional<HeldDebris> held;  // at the end; not while the run goes on
 };
 
 struct RunReadings {
@@ -73,6 +88,7 @@ struct RunReadings {
   double dead_zone_length = 0.0;           // [m]
   std::optional<LaunchGauge::Impact> impact;
   std::optional<LaunchGauge::Launch> launch;
+  std::optional<LaunchGauge::Sheet> sheet;
   std::optional<InstantReadings> instant;  // at reading_time
   bool instant_wanted = false;
   std::vector<BarrierReadings> barriers;

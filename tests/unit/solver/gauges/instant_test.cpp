@@ -1,9 +1,7 @@
-// Tongue and ramp at one instant, on particles placed by hand.
+// The overflow's tongue at one instant, on particles placed by hand.
 #include "gauges/instant.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "gauges/connected.hpp"
 #include "placed_particles.hpp"
@@ -34,7 +32,7 @@ TEST(MainBody, IsTheSameForAnyOrderAndNegativePlaces) {
 struct InstantScene : LevelChannel {
   InstantScene() {
     scene.barriers = {Barrier{}};
-    gauge.edge = {{1.0, 0.1}, {1.0, 0.0}};
+    gauge.edges = {{{1.0, 0.1}, {1.0, 0.0}}};
   }
 };
 
@@ -61,37 +59,6 @@ TEST(Tongue, IsAbsentWhenNothingHasPassed) {
   EXPECT_FALSE(read_instant(s.gauge, fluid_of({{0.99, 0.0, 1.0}}), reach).tongue);
   s.gauge.lines.clear();
   EXPECT_FALSE(read_instant(s.gauge, fluid_of({{1.2, 0.0, 1.0}}), reach).tongue);
-}
-
-/// Debris over x = 0.7 to 1.0 whose surface rises by 1 in 4.
-std::vector<Placed> ramp(double spacing) {
-  std::vector<Placed> placed;
-  for (double x = 0.7025; x < 0.999; x += spacing) {
-    for (double z = 0.0; z <= 0.02 + 0.25 * (x - 0.7); z += spacing) placed.push_back({x, z, 0.01});
-    placed.back().z = 0.02 + 0.25 * (x - 0.7);
-  }
-  return placed;
-}
-
-TEST(Ramp, IsTheSlopeOfTheFreeSurface) {
-  InstantScene s;
-  std::vector<Placed> placed = ramp(0.005);
-  placed.push_back({0.9, 0.3, 0.01});  // a droplet above it
-  const InstantReadings readings = read_instant(s.gauge, fluid_of(placed), reach);
-  ASSERT_TRUE(readings.ramp_angle);
-  // the highest particle of a column stands within 5 mm of its downstream end
-  EXPECT_NEAR(*readings.ramp_angle, std::atan(0.25), 0.02);
-}
-
-TEST(Ramp, NeedsDebrisOverItsWholeLengthAndFourParticlesInAColumn) {
-  InstantScene s;
-  std::vector<Placed> placed = ramp(0.005);
-  std::erase_if(placed, [](const Placed& p) { return p.x < 0.82; });  // from 0.80 on is wanted
-  const InstantReadings gap = read_instant(s.gauge, fluid_of(placed), reach);
-  EXPECT_FALSE(gap.ramp_angle);
-  EXPECT_FALSE(gap.ramp_too_coarse);
-  s.gauge.spacing = 0.0055;  // columns are 21.4 mm
-  EXPECT_TRUE(read_instant(s.gauge, fluid_of(ramp(0.005)), reach).ramp_too_coarse);
 }
 
 }  // namespace

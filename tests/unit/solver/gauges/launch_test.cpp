@@ -13,7 +13,7 @@ namespace {
 
 // A deflector's tip at (0.95, 0.15).
 struct OverflowScene : LevelChannel {
-  OverflowScene() { gauge.edge = {{0.95, 0.15}, {1.0, 0.0}}; }
+  OverflowScene() { gauge.edges = {{{0.95, 0.15}, {1.0, 0.0}}}; }
 };
 
 Fluid one_particle(double mass) {
@@ -125,6 +125,38 @@ TEST(LaunchGauge, DropletsDoNotDecide) {
   put(f, 1.10, 0.005, 1.0, -1.0);
   gauge.observe(f, 0.1);
   EXPECT_FALSE(gauge.impact());
+}
+
+// Three particles of 0.01 kg/m pass within 20 ms at 0.5 m/s, one long after: 0.03/1000 m2 in 20 ms
+// is a discharge of 1.5e-3 m2/s, and at 0.5 m/s a sheet of 3 mm.
+TEST(LaunchGauge, TheSheetIsItsLargestDischargeOverItsSpeed) {
+  OverflowScene s;
+  LaunchGauge gauge(s.gauge);
+  Fluid f = fluid_of({{0.9, 0.2, 0.01, 0.3, 0.4},
+                      {0.9, 0.2, 0.01, 0.3, 0.4},
+                      {0.9, 0.2, 0.01, 0.3, 0.4},
+                      {0.9, 0.2, 0.01, 2.0, 0.0}});
+  EXPECT_FALSE(gauge.sheet());
+  const double window = s.gauge.time(s.gauge.settings.discharge_time_ratio);
+  gauge.observe(f, 0.0);
+  for (int k = 0; k < 3; ++k) {
+    f.x[static_cast<std::size_t>(k)] = 0.96;
+    gauge.observe(f, 0.1 + 0.3 * window * k);
+  }
+  f.x[3] = 0.96;
+  gauge.observe(f, 0.5);
+  ASSERT_TRUE(gauge.sheet());
+  EXPECT_NEAR(gauge.sheet()->speed, 0.5, 1e-15);
+  EXPECT_NEAR(gauge.sheet()->thickness, 0.03 / 1000.0 / window / 0.5, 1e-15);
+}
+
+TEST(LaunchGauge, ASheetNeedsHalfAPercentOfTheMassOverTheEdge) {
+  OverflowScene s;
+  LaunchGauge gauge(s.gauge);
+  Fluid f = one_particle(0.004);
+  put(f, 0.96, 0.2, 1.0, 0.0);
+  gauge.observe(f, 0.1);
+  EXPECT_FALSE(gauge.sheet());
 }
 
 }  // namespace

@@ -54,7 +54,13 @@ RunReadings two_barriers() {
   run.launch = LaunchGauge::Launch{1.5, 0.5, 0.12, 1.02};
   run.barriers = {hit_barrier(0.7), hit_barrier(0.9)};
   run.instant_wanted = true;
-  run.instant = InstantReadings{InstantReadings::Tongue{1.7, 1.8, false}, 0.4, false};
+  const HeldDebris held{.dead_zone = {.length = 0.2, .area = 0.01}, .ramp = {.angle = 0.4}};
+  run.instant = InstantReadings{InstantReadings::Tongue{1.7, 1.8, false}, held.ramp};
+  run.sheet = LaunchGauge::Sheet{1.2, 0.02};
+  for (BarrierReadings& barrier : run.barriers) {
+    barrier.held = held;
+    barrier.events = {.dead_zone_onset = 1.1, .backflow = {.share = 0.1, .speed = 0.6}};
+  }
   return run;
 }
 
@@ -80,7 +86,9 @@ std::vector<RunReadings> runs_of_every_kind() {
   early.instant = InstantReadings{};
   early.barriers[0].impulse.reset();
   runs.push_back(early);
-  early.instant->ramp_too_coarse = true;
+  const Ramp coarse_ramp{.angle = {}, .too_coarse = true};
+  early.instant->ramp = coarse_ramp;
+  early.barriers[0].held->ramp = coarse_ramp;
   runs.push_back(early);
   early.instant.reset();
   runs.push_back(early);
