@@ -8,6 +8,6 @@
 namespace parapet::reports {
 
 /// Which variables matter; empty when it is not known.
-std::string sensitivity_section(const std::optional<study::Sensitivity>& sensitivity);
+std::string sensitivity_section(const Recommendation& advice);
 
 }  // namespace parapet::reports

@@ -1,0 +1,79 @@
+/// The surrogates of a study's quantities, as surrogates.json holds them, ready to be asked.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parapet/bayesian/space.hpp"
+#include "parapet/designs/study_spec.hpp"
+#include "parapet/study/repeat.hpp"
+#include "parapet/surrogate/gaussian_process.hpp"
+
+namespace parapet::study {
+
+/// Which quantity of a study: the objective of that number, or the limit of that number (limits of
+/// constraints on metrics, in the order of constraint_quantities over the spec's constraints).
+struct GoalPlace {
+  enum class Kind { objective, limit };  ///< what the number counts
+  Kind kind = Kind::objective;
+  std::size_t number = 0;
+};
+
+/// Surrogates of the objectives and limits on metrics. Immutable.
+class StudySurrogates {
+ public:
+  /// Empty where the file is missing, not whole, of another study or not to be understood: what it
+  /// tells is a help and not needed.
+  /// @param spec_hash that the file must state
+  static std::shared_ptr<const StudySurrogates> read(const designs::StudySpec& study,
+                                                     const std::filesystem::path& file,
+                                                     const std::string& spec_hash);
+
+  /// From the content of surrogates.json. Empty likewise.
+  static std::shared_ptr<const StudySurrogates> of(const designs::StudySpec& study,
+                                                   const designs::Json& surrogates);
+
+  /// What the surrogate of a goal says of each design at a particle spacing [m], [n_designs]; empty
+  /// where there is none (a formula, too few designs) or the spacing is none of the study's.
+  ///
+  /// Deviation and noise are larger than the process states where designs left out of it lie
+  /// farther off than it says: by the root mean square of the standardised leave-one-out residuals
+  /// at that spacing, if above 1. The noise has half as many degrees of freedom as there are runs
+  /// at that spacing, at least 2.
+  std::vector<SurrogateBelief> beliefs(const GoalPlace& goal,
+                                       const std::vector<const designs::Design*>& designs,
+                                       double spacing) const;
+
+  /// Joint draws of the noise-free values [n_draws, n_designs], in the goal's unit, within its
+  /// possible values; no columns where there is no surrogate. The same seed gives the same draws.
+  Eigen::MatrixXd draws(const GoalPlace& goal, const std::vector<const designs::Design*>& designs,
+                        double spacing, int count, std::uint64_t seed) const;
+
+ private:
+  struct Model {
+    surrogate::GaussianProcess process;
+    double least = 0.0, greatest = 0.0;
+    std::vector<double> inflation = {};      // [n_levels]
+    std::vector<double> noise_freedom = {};  // [n_levels]
+  };
+
+  StudySurrogates(bayesian::Space space, std::vector<designs::Variable> variables)
+      : space_(std::move(space)), variables_(std::move(variables)) {}
+  const Model* find(const GoalPlace& goal) const;
+  std::optional<int> level(double spacing) const;
+  Eigen::MatrixXd features(const std::vector<const designs::Design*>& designs) const;
+
+  bayesian::Space space_;
+  std::vector<designs::Variable> variables_;
+  std::vector<double> spacings_;              // [n_levels], finest first
+  std::vector<std::optional<Model>> models_;  // [n_metrics]
+  std::vector<std::size_t> objectives_;       // [n_objectives] place in models_
+  std::vector<std::size_t> limits_;           // [n_limits] likewise
+};
+
+}  // namespace parapet::study
