@@ -43,10 +43,13 @@ void pool(const SurrogateBelief& belief, const RepeatEvidence& evidence, RepeatE
     squares += squares_of(runs);
     freedom += static_cast<double>(runs.size() - 1);
   }
-  const double variance = squares / freedom, prior = belief.deviation * belief.deviation;
+  const double variance = squares / freedom;
   estimate.scatter = std::sqrt(variance);
   estimate.mean = belief.mean;
-  estimate.mean_uncertainty = belief.deviation;
+  // A surrogate that took scatter for shape knows its values worse than it says.
+  const double doubt = belief.noise > 0.0 ? std::max(1.0, *estimate.scatter / belief.noise) : 1.0;
+  estimate.mean_uncertainty = doubt * belief.deviation;
+  const double prior = estimate.mean_uncertainty * estimate.mean_uncertainty;
   if (evidence.again.empty() || !(prior > 0.0)) return;
   const double of_runs = variance / static_cast<double>(evidence.again.size());
   const double share = prior / (prior + of_runs);

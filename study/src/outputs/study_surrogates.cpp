@@ -58,6 +58,30 @@ Eigen::VectorXd grid_squares(const GaussianProcess& process, const Eigen::Matrix
   return squares;
 }
 
+/// The process fitted again with a noise at every level of so many standard deviations of all
+/// values.
+GaussianProcess with_noise(const GaussianProcess& process, double noise) {
+  const surrogate::Parameters& parameters = process.parameters();
+  const surrogate::Data& data = process.data();
+  surrogate::FitOptions options;
+  options.transform = parameters.transform.kind;
+  options.warm_start = parameters;
+  options.starts = 2;
+  for (int level = 0; level < process.layout().n_levels; ++level) {
+    // What the fit will turn into `noise` again: it takes the mean slope at the level.
+    double slope = 0.0, anywhere = 0.0, count = 0.0;
+    for (Eigen::Index k = 0; k < data.values.size(); ++k) {
+      const double log_slope = parameters.transform.log_slope(data.values[k]);
+      anywhere += log_slope / static_cast<double>(data.values.size());
+      if (data.levels[static_cast<std::size_t>(k)] != level) continue;
+      slope += log_slope;
+      count += 1.0;
+    }
+    options.known_noise.push_back(noise * std::exp(count > 0.0 ? -slope / count : -anywhere));
+  }
+  return GaussianProcess::fit(process.layout(), data, options);
+}
+
 /// The same on every platform, unlike std::normal_distribution.
 double standard_normal(std::mt19937_64& generator) {
   constexpr double step = 0x1p-53;
@@ -98,13 +122,14 @@ std::shared_ptr<const StudySurrogates> StudySurrogates::of(const designs::StudyS
       auto process = stored_process(surrogates, metrics[k]);
       if (!process || process->data().values.size() == 0) continue;
       const bayesian::Metric& metric = problem.problem.metrics[k];
-      model =
-          Model{.process = std::move(*process), .least = metric.least, .greatest = metric.greatest};
-      for (int level = 0; level < model->process.layout().n_levels; ++level) {
-        const auto runs =
-            static_cast<double>(std::ranges::count(model->process.data().levels, level));
-        model->inflation.push_back(inflation_at(model->process, level));
-        model->noise_freedom.push_back(std::max(2.0, 0.5 * runs));
+      const std::vector<int> levels = process->data().levels;
+      const int n_levels = process->layout().n_levels;
+      model = Model{.fits = fits_of(std::move(*process), !metric.known_noise.empty()),
+                    .least = metric.least,
+                    .greatest = metric.greatest};
+      for (int level = 0; level < n_levels; ++level) {
+        const auto runs = static_cast<double>(std::ranges::count(levels, level));
+        model->noise_freedom.push_back(std::max(2.0, 0.25 * runs));
       }
     }
     for (const auto& objective : problem.problem.objectives) {
@@ -146,30 +171,65 @@ Eigen::MatrixXd StudySurrogates::features(const std::vector<const Design*>& desi
   return space_.features(points);
 }
 
+std::vector<StudySurrogates::Fit> StudySurrogates::fits_of(GaussianProcess process,
+                                                           bool noise_known) {
+  constexpr Eigen::Index most_runs = 150;  // from here on the noise is known well
+  std::vector<Fit> fits;
+  const bool varies = process.data().values.maxCoeff() > process.data().values.minCoeff();
+  if (!noise_known && varies && process.data().values.size() <= most_runs) {
+    for (const double noise : {0.05, 0.1, 0.2, 0.4}) {
+      fits.push_back({.process = with_noise(process, noise)});
+    }
+  }
+  fits.push_back({.process = std::move(process)});
+  double best = -std::numeric_limits<double>::infinity(), sum = 0.0;
+  for (const Fit& fit : fits) best = std::max(best, fit.process.log_likelihood());
+  for (Fit& fit : fits) {
+    fit.weight = std::exp(fit.process.log_likelihood() - best);
+    sum += fit.weight;
+    for (int level = 0; level < fit.process.layout().n_levels; ++level) {
+      fit.inflation.push_back(inflation_at(fit.process, level));
+    }
+  }
+  for (Fit& fit : fits) fit.weight /= sum;
+  return fits;
+}
+
 std::vector<SurrogateBelief> StudySurrogates::beliefs(const GoalPlace& goal,
                                                       const std::vector<const Design*>& designs,
                                                       double spacing) const {
   const Model* model = find(goal);
   const std::optional<int> at = level(spacing);
   if (model == nullptr || !at || designs.empty()) return {};
-  const GaussianProcess& process = model->process;
   const auto place = static_cast<std::size_t>(*at);
   const Eigen::MatrixXd inputs = features(designs);
-  const surrogate::Prediction prediction = process.predict(inputs, *at);
+  const surrogate::GaussianProcess& any = model->fits.front().process;
   const bool coarser =
-      *at + 1 < process.layout().n_levels && std::ranges::count(process.data().levels, *at + 1) > 0;
-  const Eigen::VectorXd grid =
-      coarser ? grid_squares(process, inputs, *at) : Eigen::VectorXd::Zero(inputs.rows());
+      *at + 1 < any.layout().n_levels && std::ranges::count(any.data().levels, *at + 1) > 0;
+  const Eigen::Index n = inputs.rows();
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n), square = mean, noise = mean, grid = mean;
+  for (const Fit& fit : model->fits) {
+    const surrogate::Prediction prediction = fit.process.predict(inputs, *at);
+    const double inflation = fit.inflation[place];
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const double z = prediction.mean[k];
+      const double middle = std::clamp(fit.process.from_model(z), model->least, model->greatest);
+      const double deviation =
+          in_unit(fit.process, z, inflation * std::sqrt(std::max(0.0, prediction.variance[k])));
+      const double of_run = in_unit(fit.process, z, inflation * fit.process.noise(*at));
+      mean[k] += fit.weight * middle;
+      square[k] += fit.weight * (middle * middle + deviation * deviation);
+      noise[k] += fit.weight * of_run * of_run;
+    }
+    if (coarser) grid += fit.weight * grid_squares(fit.process, inputs, *at);
+  }
   std::vector<SurrogateBelief> list;
-  for (Eigen::Index k = 0; k < inputs.rows(); ++k) {
-    const double z = prediction.mean[k], inflation = model->inflation[place];
-    const double deviation = inflation * std::sqrt(std::max(0.0, prediction.variance[k]));
-    SurrogateBelief& belief = list.emplace_back();
-    belief.mean = std::clamp(process.from_model(z), model->least, model->greatest);
-    belief.deviation = in_unit(process, z, deviation);
-    belief.noise = in_unit(process, z, inflation * process.noise(*at));
-    belief.noise_freedom = model->noise_freedom[place];
-    if (coarser) belief.grid = std::sqrt(grid[k]);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    list.push_back({.mean = mean[k],
+                    .deviation = std::sqrt(std::max(0.0, square[k] - mean[k] * mean[k])),
+                    .noise = std::sqrt(noise[k]),
+                    .noise_freedom = model->noise_freedom[place],
+                    .grid = coarser ? std::optional(std::sqrt(grid[k])) : std::nullopt});
   }
   return list;
 }
@@ -180,18 +240,26 @@ Eigen::MatrixXd StudySurrogates::draws(const GoalPlace& goal,
   const Model* model = find(goal);
   const std::optional<int> at = level(spacing);
   if (model == nullptr || !at || designs.empty()) return Eigen::MatrixXd(count, 0);
-  const GaussianProcess& process = model->process;
-  const surrogate::JointPrediction joint = process.joint(features(designs), *at);
-  const Eigen::MatrixXd factor =
-      model->inflation[static_cast<std::size_t>(*at)] * factor_of(joint.covariance);
+  const Eigen::MatrixXd inputs = features(designs);
   std::mt19937_64 generator(seed);
-  Eigen::MatrixXd values(count, joint.mean.size());
-  Eigen::VectorXd normals(joint.mean.size());
-  for (Eigen::Index row = 0; row < values.rows(); ++row) {
-    for (double& normal : normals) normal = standard_normal(generator);
-    const Eigen::VectorXd z = joint.mean + factor * normals;
-    for (Eigen::Index k = 0; k < z.size(); ++k) {
-      values(row, k) = std::clamp(process.from_model(z[k]), model->least, model->greatest);
+  Eigen::MatrixXd values(count, inputs.rows());
+  Eigen::VectorXd normals(inputs.rows());
+  Eigen::Index row = 0;
+  double share = 0.0;
+  for (const Fit& fit : model->fits) {
+    share += fit.weight;
+    const bool last = &fit == &model->fits.back();
+    const auto end = last ? values.rows() : static_cast<Eigen::Index>(std::lround(share * count));
+    if (end <= row) continue;
+    const surrogate::JointPrediction joint = fit.process.joint(inputs, *at);
+    const Eigen::MatrixXd factor =
+        fit.inflation[static_cast<std::size_t>(*at)] * factor_of(joint.covariance);
+    for (; row < end; ++row) {
+      for (double& normal : normals) normal = standard_normal(generator);
+      const Eigen::VectorXd z = joint.mean + factor * normals;
+      for (Eigen::Index k = 0; k < z.size(); ++k) {
+        values(row, k) = std::clamp(fit.process.from_model(z[k]), model->least, model->greatest);
+      }
     }
   }
   return values;

@@ -63,7 +63,8 @@ struct RepeatEstimate {
 /// The estimate from all that is known; empty without a surrogate and without a run.
 ///
 /// Scatter: the surrogate's noise and the squares of the runs about their mean, pooled by their
-/// degrees of freedom. Mean: the surrogate's and the later runs', by their precisions; without a
+/// degrees of freedom; where that is more than the surrogate's noise, its doubt of the mean grows by
+/// the same factor. Mean: the surrogate's and the later runs', by their precisions; without a
 /// surrogate the mean of all runs. The study's own run was chosen for being good: it counts through
 /// the surrogate alone where there is one. Grid: the difference to the run at another spacing, else
 /// between the surrogate's spacings, as one standard uncertainty. Degrees of freedom by

@@ -41,9 +41,14 @@ class StudySurrogates {
   /// What the surrogate of a goal says of each design at a particle spacing [m], [n_designs]; empty
   /// where there is none (a formula, too few designs) or the spacing is none of the study's.
   ///
+  /// A fit to few runs may take their scatter for the shape of the response and stop at a noise of
+  /// nearly nothing. So the process is fitted again with a noise of 5, 10, 20 and 40 % of the
+  /// spread of the values, and all fits are averaged by their likelihoods, unless the study knows
+  /// the noise or there are more than 150 runs.
+  ///
   /// Deviation and noise are larger than the process states where designs left out of it lie
   /// farther off than it says: by the root mean square of the standardised leave-one-out residuals
-  /// at that spacing, if above 1. The noise has half as many degrees of freedom as there are runs
+  /// at that spacing, if above 1. The noise has a quarter as many degrees of freedom as there are runs
   /// at that spacing, at least 2.
   std::vector<SurrogateBelief> beliefs(const GoalPlace& goal,
                                        const std::vector<const designs::Design*>& designs,
@@ -55,12 +60,17 @@ class StudySurrogates {
                         double spacing, int count, std::uint64_t seed) const;
 
  private:
-  struct Model {
+  struct Fit {
     surrogate::GaussianProcess process;
+    double weight = 1.0;                 // of all fits 1
+    std::vector<double> inflation = {};  // [n_levels]
+  };
+  struct Model {
+    std::vector<Fit> fits;  // at least one
     double least = 0.0, greatest = 0.0;
-    std::vector<double> inflation = {};      // [n_levels]
     std::vector<double> noise_freedom = {};  // [n_levels]
   };
+  static std::vector<Fit> fits_of(surrogate::GaussianProcess process, bool noise_known);
 
   StudySurrogates(bayesian::Space space, std::vector<designs::Variable> variables)
       : space_(std::move(space)), variables_(std::move(variables)) {}
