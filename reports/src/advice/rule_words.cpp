@@ -47,14 +47,18 @@ std::string balanced_words(const study::Choice& choice) {
   } else if (choice.front.size() <= choice.knee->ends.size()) {
     why = "no design lies between its ends";
   } else {
-    why = fmt::format(
-        "it is nearly straight (its farthest design is {:.2f} off the {} through its ends, {}; a "
-        "knee needs {:g}{})",
-        study::bulge_of(*choice.knee), choice.knee->ends.size() == 2 ? "line" : "plane",
-        ends_of(choice), study::least_bulge,
-        choice.knee_share
-            ? fmt::format(" in half of the draws, and {:.0f} % have it", 100.0 * *choice.knee_share)
-            : "");
+    const char* through = choice.knee->ends.size() == 2 ? "line" : "plane";
+    const double bulge = study::bulge_of(*choice.knee);
+    why = bulge < study::least_bulge
+              ? fmt::format(
+                    "it is nearly straight (its farthest design is {:.2f} off the {} through "
+                    "its ends, {}; a knee needs {:g})",
+                    bulge, through, ends_of(choice), study::least_bulge)
+              : fmt::format(
+                    "its farthest design is expected to be {:.2f} off the {} through its "
+                    "ends, {}, but only {:.0f} % of {} draws have a design that is {:g} off",
+                    bulge, through, ends_of(choice), 100.0 * choice.knee_share.value_or(0.0),
+                    choice.draws, study::least_bulge);
   }
   return fmt::format("The front has no knee: {}. So the balanced design is taken: {}", why, rule);
 }

@@ -208,6 +208,21 @@ std::optional<SurrogateBelief> belief_of(const LoadedStudy& study, const Goal& g
   return beliefs.empty() ? std::nullopt : std::optional(beliefs.front());
 }
 
+/// Loads that the search did not model are modelled from its runs.
+std::optional<SurrogateBelief> load_belief(const LoadedStudy& study, const Goal& load,
+                                           const designs::Design& design, double spacing) {
+  if (study.surrogates == nullptr) return std::nullopt;
+  RunSamples samples{.least = load.least, .greatest = load.greatest};
+  for (const EvaluationRecord& run : study.designs) {
+    const auto value = run.ok ? value_in(load, run, nullptr) : std::nullopt;
+    if (!value) continue;
+    samples.designs.push_back(&run.design);
+    samples.spacings.push_back(run.spacing);
+    samples.values.push_back(*value);
+  }
+  return study.surrogates->fitted_belief(samples, design, spacing);
+}
+
 }  // namespace
 
 bool is_exact(const designs::Objective& objective) {
@@ -256,8 +271,19 @@ std::vector<Expectation> repeat_expectations(const LoadedStudy& study,
   for (const Goal& goal : goals_of(study.spec)) {
     list.push_back(expectation(goal, runs, belief_of(study, goal, design.design, spacing)));
   }
-  const EvaluationRecord* any = runs.own != nullptr ? runs.own : &design;
-  for (const Goal& goal : loads_of(*any)) list.push_back(expectation(goal, runs, std::nullopt));
+  for (const Goal& goal : loads_of(design)) {
+    // One estimate of one quantity: that of an objective or limit, where the load is one.
+    const auto same = std::ranges::find_if(list, [&](const Expectation& one) {
+      return one.metric == goal.what.metric && one.estimate && study.spec.scenarios.empty();
+    });
+    Expectation load = goal.what;
+    if (same != list.end()) {
+      load.estimate = same->estimate;
+    } else {
+      load = expectation(goal, runs, load_belief(study, goal, design.design, spacing));
+    }
+    list.push_back(std::move(load));
+  }
   return list;
 }
 

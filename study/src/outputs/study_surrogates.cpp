@@ -122,15 +122,12 @@ std::shared_ptr<const StudySurrogates> StudySurrogates::of(const designs::StudyS
       auto process = stored_process(surrogates, metrics[k]);
       if (!process || process->data().values.size() == 0) continue;
       const bayesian::Metric& metric = problem.problem.metrics[k];
-      const std::vector<int> levels = process->data().levels;
-      const int n_levels = process->layout().n_levels;
-      model = Model{.fits = fits_of(std::move(*process), !metric.known_noise.empty()),
+      model = Model{.lazy = std::make_shared<Fits>(),
                     .least = metric.least,
-                    .greatest = metric.greatest};
-      for (int level = 0; level < n_levels; ++level) {
-        const auto runs = static_cast<double>(std::ranges::count(levels, level));
-        model->noise_freedom.push_back(std::max(2.0, 0.25 * runs));
-      }
+                    .greatest = metric.greatest,
+                    .noise_freedom = noise_freedom_of(*process)};
+      model->lazy->stored = std::move(*process);
+      model->lazy->noise_known = !metric.known_noise.empty();
     }
     for (const auto& objective : problem.problem.objectives) {
       result->objectives_.push_back(objective.metric);
@@ -171,8 +168,17 @@ Eigen::MatrixXd StudySurrogates::features(const std::vector<const Design*>& desi
   return space_.features(points);
 }
 
-std::vector<StudySurrogates::Fit> StudySurrogates::fits_of(GaussianProcess process,
-                                                           bool noise_known) {
+const std::vector<StudySurrogates::Fit>& StudySurrogates::fits_of(const Model& model) {
+  Fits& lazy = *model.lazy;
+  std::call_once(lazy.made, [&] {
+    lazy.fits = make_fits(std::move(*lazy.stored), lazy.noise_known);
+    lazy.stored.reset();
+  });
+  return lazy.fits;
+}
+
+std::vector<StudySurrogates::Fit> StudySurrogates::make_fits(GaussianProcess process,
+                                                             bool noise_known) {
   constexpr Eigen::Index most_runs = 150;  // from here on the noise is known well
   std::vector<Fit> fits;
   const bool varies = process.data().values.maxCoeff() > process.data().values.minCoeff();
@@ -195,40 +201,85 @@ std::vector<StudySurrogates::Fit> StudySurrogates::fits_of(GaussianProcess proce
   return fits;
 }
 
+std::vector<double> StudySurrogates::noise_freedom_of(const GaussianProcess& process) {
+  std::vector<double> freedom;
+  for (int level = 0; level < process.layout().n_levels; ++level) {
+    const auto runs = static_cast<double>(std::ranges::count(process.data().levels, level));
+    freedom.push_back(std::max(2.0, 0.25 * runs));
+  }
+  return freedom;
+}
+
 std::vector<SurrogateBelief> StudySurrogates::beliefs(const GoalPlace& goal,
                                                       const std::vector<const Design*>& designs,
                                                       double spacing) const {
   const Model* model = find(goal);
   const std::optional<int> at = level(spacing);
   if (model == nullptr || !at || designs.empty()) return {};
-  const auto place = static_cast<std::size_t>(*at);
+  return beliefs_of(*model, designs, *at);
+}
+
+std::optional<SurrogateBelief> StudySurrogates::fitted_belief(const RunSamples& samples,
+                                                              const Design& design,
+                                                              double spacing) const {
+  constexpr Eigen::Index fewest = 5;
+  const std::optional<int> at = level(spacing);
+  surrogate::Data data;
+  std::vector<const Design*> designs;
+  std::vector<double> values;
+  for (std::size_t k = 0; k < samples.values.size(); ++k) {
+    const std::optional<int> own = level(samples.spacings[k]);
+    if (!own || !std::isfinite(samples.values[k])) continue;
+    designs.push_back(samples.designs[k]);
+    values.push_back(samples.values[k]);
+    data.levels.push_back(*own);
+  }
+  data.values =
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  if (!at || data.values.size() < fewest) return std::nullopt;
+  data.inputs = features(designs);
+  const surrogate::Layout layout = space_.layout(static_cast<int>(spacings_.size()));
+  GaussianProcess process = GaussianProcess::fit(layout, data, {});
+  Model model{.lazy = std::make_shared<Fits>(),
+              .least = samples.least,
+              .greatest = samples.greatest,
+              .noise_freedom = noise_freedom_of(process)};
+  model.lazy->stored = std::move(process);
+  return beliefs_of(model, {&design}, *at).front();
+}
+
+std::vector<SurrogateBelief> StudySurrogates::beliefs_of(const Model& model,
+                                                         const std::vector<const Design*>& designs,
+                                                         int level) const {
+  const auto place = static_cast<std::size_t>(level);
   const Eigen::MatrixXd inputs = features(designs);
-  const surrogate::GaussianProcess& any = model->fits.front().process;
+  const std::vector<Fit>& fits = fits_of(model);
+  const surrogate::GaussianProcess& any = fits.front().process;
   const bool coarser =
-      *at + 1 < any.layout().n_levels && std::ranges::count(any.data().levels, *at + 1) > 0;
+      level + 1 < any.layout().n_levels && std::ranges::count(any.data().levels, level + 1) > 0;
   const Eigen::Index n = inputs.rows();
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(n), square = mean, noise = mean, grid = mean;
-  for (const Fit& fit : model->fits) {
-    const surrogate::Prediction prediction = fit.process.predict(inputs, *at);
+  for (const Fit& fit : fits) {
+    const surrogate::Prediction prediction = fit.process.predict(inputs, level);
     const double inflation = fit.inflation[place];
     for (Eigen::Index k = 0; k < n; ++k) {
       const double z = prediction.mean[k];
-      const double middle = std::clamp(fit.process.from_model(z), model->least, model->greatest);
+      const double middle = std::clamp(fit.process.from_model(z), model.least, model.greatest);
       const double deviation =
           in_unit(fit.process, z, inflation * std::sqrt(std::max(0.0, prediction.variance[k])));
-      const double of_run = in_unit(fit.process, z, inflation * fit.process.noise(*at));
+      const double of_run = in_unit(fit.process, z, inflation * fit.process.noise(level));
       mean[k] += fit.weight * middle;
       square[k] += fit.weight * (middle * middle + deviation * deviation);
       noise[k] += fit.weight * of_run * of_run;
     }
-    if (coarser) grid += fit.weight * grid_squares(fit.process, inputs, *at);
+    if (coarser) grid += fit.weight * grid_squares(fit.process, inputs, level);
   }
   std::vector<SurrogateBelief> list;
   for (Eigen::Index k = 0; k < n; ++k) {
     list.push_back({.mean = mean[k],
                     .deviation = std::sqrt(std::max(0.0, square[k] - mean[k] * mean[k])),
                     .noise = std::sqrt(noise[k]),
-                    .noise_freedom = model->noise_freedom[place],
+                    .noise_freedom = model.noise_freedom[place],
                     .grid = coarser ? std::optional(std::sqrt(grid[k])) : std::nullopt});
   }
   return list;
@@ -246,9 +297,10 @@ Eigen::MatrixXd StudySurrogates::draws(const GoalPlace& goal,
   Eigen::VectorXd normals(inputs.rows());
   Eigen::Index row = 0;
   double share = 0.0;
-  for (const Fit& fit : model->fits) {
+  const std::vector<Fit>& fits = fits_of(*model);
+  for (const Fit& fit : fits) {
     share += fit.weight;
-    const bool last = &fit == &model->fits.back();
+    const bool last = &fit == &fits.back();
     const auto end = last ? values.rows() : static_cast<Eigen::Index>(std::lround(share * count));
     if (end <= row) continue;
     const surrogate::JointPrediction joint = fit.process.joint(inputs, *at);

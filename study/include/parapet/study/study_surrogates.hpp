@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,15 @@ struct GoalPlace {
   std::size_t number = 0;
 };
 
-/// Surrogates of the objectives and limits on metrics. Immutable.
+/// Runs of a study that have a quantity, and the values that it can have at all.
+struct RunSamples {
+  std::vector<const designs::Design*> designs = {};  ///< [n_runs]
+  std::vector<double> spacings = {};                 ///< [n_runs] particle spacing [m]
+  std::vector<double> values = {};                   ///< [n_runs]
+  double least = 0.0, greatest = 0.0;
+};
+
+/// Surrogates of the objectives and limits on metrics. Threads may share it.
 class StudySurrogates {
  public:
   /// Empty where the file is missing, not whole, of another study or not to be understood: what it
@@ -48,11 +57,16 @@ class StudySurrogates {
   ///
   /// Deviation and noise are larger than the process states where designs left out of it lie
   /// farther off than it says: by the root mean square of the standardised leave-one-out residuals
-  /// at that spacing, if above 1. The noise has a quarter as many degrees of freedom as there are runs
-  /// at that spacing, at least 2.
+  /// at that spacing, if above 1. The noise has a quarter as many degrees of freedom as there are
+  /// runs at that spacing, at least 2.
   std::vector<SurrogateBelief> beliefs(const GoalPlace& goal,
                                        const std::vector<const designs::Design*>& designs,
                                        double spacing) const;
+
+  /// The same of a quantity that the study's search did not model, by a process fitted to these
+  /// runs with the same space; empty where fewer than five have the quantity.
+  std::optional<SurrogateBelief> fitted_belief(const RunSamples& samples,
+                                               const designs::Design& design, double spacing) const;
 
   /// Joint draws of the noise-free values [n_draws, n_designs], in the goal's unit, within its
   /// possible values; no columns where there is no surrogate. The same seed gives the same draws.
@@ -65,16 +79,28 @@ class StudySurrogates {
     double weight = 1.0;                 // of all fits 1
     std::vector<double> inflation = {};  // [n_levels]
   };
+  /// Made when they are first asked for: reading a folder must not cost fits.
+  struct Fits {
+    std::once_flag made;
+    std::optional<surrogate::GaussianProcess> stored;
+    bool noise_known = false;
+    std::vector<Fit> fits = {};  // at least one once made
+  };
   struct Model {
-    std::vector<Fit> fits;  // at least one
+    std::shared_ptr<Fits> lazy;
     double least = 0.0, greatest = 0.0;
     std::vector<double> noise_freedom = {};  // [n_levels]
   };
-  static std::vector<Fit> fits_of(surrogate::GaussianProcess process, bool noise_known);
+  static const std::vector<Fit>& fits_of(const Model& model);
+  static std::vector<Fit> make_fits(surrogate::GaussianProcess process, bool noise_known);
 
   StudySurrogates(bayesian::Space space, std::vector<designs::Variable> variables)
       : space_(std::move(space)), variables_(std::move(variables)) {}
+  static std::vector<double> noise_freedom_of(const surrogate::GaussianProcess& process);
   const Model* find(const GoalPlace& goal) const;
+  std::vector<SurrogateBelief> beliefs_of(const Model& model,
+                                          const std::vector<const designs::Design*>& designs,
+                                          int level) const;
   std::optional<int> level(double spacing) const;
   Eigen::MatrixXd features(const std::vector<const designs::Design*>& designs) const;
 
