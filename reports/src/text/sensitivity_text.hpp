@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "parapet/study/sensitivity_file.hpp"
+#include "parapet/reports/recommendation.hpp"
 
 namespace parapet::reports {
 
