@@ -261,7 +261,8 @@ void add_recommend(CLI::App& app, Session& session) {
       ->required();
   add_out(*verb, *options, "STUDY_DIR");
   verb->add_option("--rule", options->rule,
-                   "best (the default for one objective), knee (for several), weights or limits")
+                   "best (the default for one objective), knee (for several; balanced where the "
+                   "front has none), balanced, weights or limits")
       ->type_name("RULE");
   verb->add_option("--weights", options->weights,
                    "Rule weights: objectives with their weights, each over its range on the front")
@@ -285,7 +286,8 @@ void add_recommend(CLI::App& app, Session& session) {
 sensitivity.json (which variables matter, by the surrogates) and, for several objectives, front.png
 and hypervolume.png. The chosen design is simulated again with designs half a per cent of the ranges
 away from it, to see how far the answer scatters; these runs are kept in confirmations.jsonl and not
-repeated. If it does not hold, the next is tried, three at most. A study that still runs can be asked
+repeated. What a repeat would give is stated with scatter, mean's and grid's uncertainty. If the design
+breaks a constraint or is worse than predicted, the next is tried, three at most. A study that still runs can be asked
 too; then nothing is simulated. A folder that cannot be written to is only read.
 
 Examples:

@@ -1,15 +1,9 @@
 /** Page one: what to build, what to expect of it, and how sure that is. */
-import type { ConstraintResult, DesignReport, StudyPage } from './data';
+import type { ConstraintResult, DesignReport, PageOne, PageOneLine, StudyPage } from './data';
 import { h, type Child } from './dom';
 import { drawing } from './drawing';
-import { count, numberText, quantity, valueElement, withUncertainty, type Keys } from './format';
+import { numberText, quantity, valueElement, withUncertainty, type Keys } from './format';
 import { titleBlock } from './runs';
-
-const verdictWords: Record<string, string> = {
-  confirmed: 'Confirmed: it met every constraint when it was simulated again.',
-  refuted: 'Refuted: it did not hold when it was simulated again.',
-  none: 'Not confirmed: it was not simulated again.',
-};
 
 function variablesTable(design: DesignReport, keys: Keys): HTMLElement {
   return h(
@@ -30,34 +24,31 @@ function variablesTable(design: DesignReport, keys: Keys): HTMLElement {
   );
 }
 
-function performanceTable(page: StudyPage, design: DesignReport, keys: Keys): HTMLElement {
-  const spread = page.recommendation.confirmation?.spread ?? [];
-  const rows = design.objectives.map((one) => {
-    const estimate = design.estimates?.find((other) => other.name === one.name);
-    const again = spread.find((other) => other.name === one.name);
-    const interval =
-      estimate && estimate.lower_95 !== null && estimate.upper_95 !== null
-        ? `${numberText(estimate.lower_95)} to ${numberText(estimate.upper_95)}`
-        : one.expression
-          ? 'exact'
-          : '–';
-    const repeats = again ? `${numberText(again.least)} to ${numberText(again.greatest)} (${count(again.runs, 'run')})` : '–';
-    return h(
-      'tr',
-      {},
-      h('th', { scope: 'row' }, `${keys.words(one.name)} (${one.goal === 'maximize' ? 'more' : 'less'} is better)`),
-      h('td', { class: 'number' }, valueElement(one.value, keys.quantity(one.name, one.value)), one.absent ? h('span', { class: 'note' }, ' stands for: none') : null),
-      h('td', { class: 'number' }, interval),
-      h('td', { class: 'number' }, repeats),
-    );
-  });
+/** What a repeat of the built design would give: objectives, limits, design loads. */
+function performanceTable(lines: PageOneLine[], caption: string): HTMLElement {
   return h(
     'table',
     { class: 'facts' },
-    h('caption', {}, 'Expected performance'),
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Objective'), h('th', { scope: 'col', class: 'number' }, 'Simulated'), h('th', { scope: 'col', class: 'number' }, 'Surrogate, 95 %'), h('th', { scope: 'col', class: 'number' }, 'When repeated'))),
-    h('tbody', {}, ...rows),
+    h('caption', {}, caption),
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Quantity'), h('th', { scope: 'col', class: 'number' }, 'A repeat gives (95 %)'), h('th', { scope: 'col' }, 'Asked'), h('th', { scope: 'col', class: 'number' }, 'Holds'))),
+    h('tbody', {},
+      ...lines.map((one) =>
+        h(
+          'tr',
+          {},
+          h('th', { scope: 'row' }, one.label),
+          h('td', { class: 'number' }, valueElement(one.mean, one.text)),
+          h('td', {}, one.asked),
+          h('td', { class: 'number' }, one.probability === null ? '' : shareText(one.probability)),
+        ),
+      ),
+    ),
   );
+}
+
+function shareText(share: number): string {
+  if (share > 0.999) return 'more than 99.9 %';
+  return share < 0.001 ? 'less than 0.1 %' : `${(100 * share).toFixed(share > 0.99 ? 1 : 0)} %`;
 }
 
 function limits(one: ConstraintResult, unit: string): string {
@@ -135,45 +126,39 @@ export function shownDesign(page: StudyPage): DesignReport | null {
   return page.recommendation.recommended ?? page.recommendation.least_violating ?? null;
 }
 
-function verdictBox(page: StudyPage, design: DesignReport, keys: Keys): HTMLElement {
-  const { recommendation } = page;
-  if (!recommendation.recommended) {
-    return h(
-      'div',
-      { class: 'verdict bad' },
-      h('p', { class: 'headline' }, 'No design meets every constraint.'),
-      h('p', {}, `Design ${design.id} comes nearest. Do not build it as it is.`),
-    );
+const sentence = (words: string): string => words.charAt(0).toUpperCase() + words.slice(1) + (words.endsWith('.') ? '' : '.');
+
+function verdictBox(page: StudyPage, one: PageOne): HTMLElement {
+  if (one.instead !== '') {
+    return h('div', { class: 'verdict bad' }, h('p', { class: 'headline' }, one.title), h('p', {}, one.instead));
   }
-  const verdict = recommendation.confirmation?.verdict ?? 'none';
-  const kind = verdict === 'confirmed' ? 'good' : verdict === 'refuted' ? 'bad' : 'warn';
-  const probability = design.probability_feasible;
-  const first = design.objectives.map((one) => `${keys.words(one.name)} ${keys.quantity(one.name, one.value)}`).join(', ');
+  const kind = { confirmed: 'good', refuted: 'bad', narrow: 'warn', untested: 'warn', none: 'bad' }[one.verdict];
   return h(
     'div',
     { class: `verdict ${kind}` },
-    h('p', { class: 'headline' }, page.state === 'running' ? `Best so far: design ${design.id}.` : `Build design ${design.id}.`),
+    h('p', { class: 'headline' }, page.state === 'running' ? `Best so far: design ${one.design}.` : one.verdict === 'refuted' ? `Design ${one.design}: do not build it yet.` : `Build design ${one.design}.`),
     page.state === 'running' ? h('p', {}, 'The study still runs: wait for its end before you build.') : page.state === 'interrupted' ? h('p', {}, 'The study was interrupted: the same command goes on with it.') : null,
-    h('p', {}, `${first}.`),
-    h('p', {}, verdictWords[verdict] ?? verdict),
-    probability !== null && probability !== undefined &&
-      h('p', {}, 'Probability that it meets every constraint, by the surrogate: ', h('strong', {}, probability > 0.999 ? 'more than 99.9 %' : `${numberText(100 * probability)} %`), '.'),
-    h('p', { class: 'note' }, recommendation.rule?.words ?? ''),
+    h('p', {}, `${sentence(one.arrangement)}`),
+    h('p', {}, sentence(one.verdict_words)),
+    ...[one.probability_words, one.chosen, one.ties, one.bounds, one.grid].filter((words) => words !== '').map((words) => h('p', {}, sentence(words))),
   );
 }
 
+/** The parts that recommendation.md has on page one, from the same structure. */
 export function adviceSheet(page: StudyPage, keys: Keys): Child[] {
   const design = shownDesign(page);
-  if (!design) return [h('p', { class: 'verdict warn' }, page.live ? 'No design has ended yet.' : 'No design ended well, so there is nothing to recommend.')];
+  const one = page.recommendation.page_one;
+  if (!design || !one) return [h('p', { class: 'verdict warn' }, page.live ? 'No design has ended yet.' : 'No design ended well, so there is nothing to recommend.')];
   const scene = page.runs[design.id]?.scene;
+  const lines = [...one.performance, ...one.limits, ...one.loads];
   return [
     h(
       'div',
       { class: 'sheet-grid' },
-      h('div', {}, verdictBox(page, design, keys), variablesTable(design, keys)),
+      h('div', {}, verdictBox(page, one), variablesTable(design, keys)),
       scene ? h('figure', { class: 'sheet-drawing' }, drawing(scene, titleBlock(page, `Design ${design.id}`))) : null,
     ),
-    scroll(performanceTable(page, design, keys)),
+    lines.length > 0 && scroll(performanceTable(lines, 'What a repeat of it would give')),
     design.constraints.length > 0 && scroll(constraintTable(design, keys)),
   ];
 }
@@ -194,7 +179,7 @@ export function surenessParts(page: StudyPage, keys: Keys): Child[] {
                 h('th', { scope: 'row' }, run.id),
                 h('td', { class: 'number' }, `${numberText(1000 * run.spacing_m)} mm`),
                 ...run.objectives.map((value) => h('td', { class: 'number' }, valueElement(value))),
-                h('td', {}, h('span', { class: `badge ${run.feasible ? 'good' : 'bad'}` }, run.ok ? (run.feasible ? 'met' : `breaks ${run.violated.map((name) => keys.words(name)).join(', ')}`) : `failed: ${run.reason}`)),
+                h('td', {}, h('span', { class: `badge ${run.feasible && run.worse.length === 0 ? 'good' : 'bad'}` }, run.ok ? (run.feasible ? (run.worse.length > 0 ? `worse than predicted: ${run.worse.map((name) => keys.words(name)).join(', ')}` : 'met') : `breaks ${run.violated.map((name) => keys.words(name)).join(', ')}`) : `failed: ${run.reason}`)),
               ),
             ),
           ),
@@ -205,7 +190,7 @@ export function surenessParts(page: StudyPage, keys: Keys): Child[] {
     parts.push(h('p', { class: 'note' }, 'Nothing was simulated again. ', h('code', {}, page.commands.find((one) => one.what.includes('recommend'))?.command ?? 'parapet recommend DIR'), ' does it.'));
   }
   for (const one of confirmation?.refuted ?? []) {
-    parts.push(h('p', {}, `Design ${one.id} comes first by the rule, but it did not hold: ${one.violated.map((name) => keys.words(name)).join(', ') || 'a simulation failed'}.`));
+    parts.push(h('p', {}, `Design ${one.id} comes first by the rule, but it did not hold: ${[...one.violated, ...one.worse.map((name) => `${name} worse than predicted`)].map((name) => keys.words(name)).join(', ') || 'a simulation failed'}.`));
   }
   const quality = (sensitivity?.metrics ?? []).filter((one) => one.q_squared !== null);
   if (quality.length > 0) {

@@ -121,6 +121,7 @@ export interface ConfirmingRun {
   feasible: boolean;
   objectives: (number | null)[];
   violated: string[];
+  worse: string[];
 }
 
 export interface Spread {
@@ -157,8 +158,39 @@ export interface Sensitivity {
   }[];
 }
 
+/** A quantity of page one: what a repeat of the built design would give. */
+export interface PageOneLine {
+  label: string;
+  text: string;
+  asked: string;
+  mean: number | null;
+  lower_95: number | null;
+  upper_95: number | null;
+  probability: number | null;
+}
+
+/** What recommendation.md has on its first page. Sentences are whole; empty ones say nothing. */
+export interface PageOne {
+  title: string;
+  design: string;
+  arrangement: string;
+  instead: string;
+  performance: PageOneLine[];
+  limits: PageOneLine[];
+  loads: PageOneLine[];
+  probability: number | null;
+  probability_words: string;
+  chosen: string;
+  ties: string;
+  bounds: string;
+  grid: string;
+  verdict: 'confirmed' | 'narrow' | 'untested' | 'refuted' | 'none';
+  verdict_words: string;
+}
+
 /** The parts of recommendation.json that the page shows; all may be missing. */
 export interface Recommendation {
+  page_one?: PageOne;
   rule?: { name: string; words: string };
   recommended?: DesignReport | null;
   least_violating?: DesignReport | null;
@@ -166,7 +198,7 @@ export interface Recommendation {
     verdict: string;
     runs: ConfirmingRun[];
     spread: Spread[];
-    refuted: { id: string; violated: string[] }[];
+    refuted: { id: string; violated: string[]; worse: string[] }[];
   } | null;
   front?: { id: string; objectives: Estimate[]; probability_feasible: number | null }[];
   hypervolume?: {

@@ -49,7 +49,7 @@ def recommend(
     """Advice from a study's folder; writes nothing unless it is to confirm.
 
     Args:
-        rule: ``best``, ``knee``, ``weights`` or ``limits``; default as in ``parapet recommend``.
+        rule: ``best``, ``knee``, ``balanced``, ``weights`` or ``limits``; default as in ``parapet recommend``.
         weights: of the objectives, for the rule ``weights``.
         limits: such as ``launch_length_m<=0.1``, for the rule ``limits``.
         confirm: simulate the design again with ``repeats`` near ones first (``confirmations.jsonl``).

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parapet/math/student.hpp"
+
 namespace parapet::reports {
 namespace {
 
@@ -18,15 +20,6 @@ constexpr int spare_points = 3;
 // A point that the fit follows this closely was not predicted by the others: the model has no right
 // to a judgement of itself.
 constexpr double most_leverage = 0.95;
-
-/// Two-sided 95 % quantile of Student's t (Cornish-Fisher expansion about the normal one).
-double student_95(double freedom) {
-  constexpr double z = 1.959964;
-  constexpr double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4.0 * freedom) +
-         (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * freedom * freedom) +
-         (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * freedom * freedom * freedom);
-}
 
 /// Columns 1, x_i, then x_i^2, then x_i x_j, as far as the model has them.
 MatrixXd design_matrix(const MatrixXd& x, ResponseModel model) {
@@ -91,7 +84,7 @@ double deviation(const VectorXd& a) {
 /// Effects of the fitted coefficients; `varied` maps the model's columns to variables.
 void read_effects(const Fit& fit, ResponseModel model, const MatrixXd& scaled,
                   const std::vector<std::size_t>& varied, double y_deviation, ResponseFit& out) {
-  const double quantile = student_95(static_cast<double>(fit.freedom));
+  const double quantile = math::student_quantile(0.975, static_cast<double>(fit.freedom));
   const Index d = scaled.cols();
   for (Index k = 0; k < d; ++k) {
     VariableEffect& effect = out.effects[varied[static_cast<std::size_t>(k)]];

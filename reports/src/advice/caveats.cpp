@@ -30,8 +30,8 @@ void add_warnings(Sentences& list, const LoadedStudy& study, const DesignReport*
     }
   }
   if (warned > 0) {
-    list.push_back(fmt::format("{} of {} designs carry warnings; evaluations.jsonl has them.",
-                               warned, simulated));
+    list.push_back(fmt::format("{} of {} runs carry warnings; evaluations.jsonl has them.", warned,
+                               simulated));
   }
 }
 
@@ -45,9 +45,9 @@ void add_unfinished(Sentences& list, const LoadedStudy& study, const DesignRepor
   if (unsettled > 0) {
     const bool chosen = best != nullptr && study.unsettled.contains(best->id);
     list.push_back(fmt::format(
-        "{} of {} designs{} ended at the stop time while the flow had not settled: retention and "
+        "{} of {} runs{} ended at the stop time while the flow had not settled: retention and "
         "launch length may not be final. Allow a longer stop_time_s.",
-        unsettled, simulated, chosen ? ", the recommended one among them," : ""));
+        unsettled, simulated, chosen ? ", that of the recommended design among them," : ""));
   }
   if (study.state == "running" || study.state == "interrupted") {
     list.push_back(

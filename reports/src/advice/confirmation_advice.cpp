@@ -4,13 +4,24 @@
 #include <cmath>
 
 #include "design_advice.hpp"
+#include "parapet/study/predicted.hpp"
+#include "parapet/study/scoring.hpp"
 
 namespace parapet::reports {
 namespace {
 
 using records::EvaluationRecord;
 
-ConfirmingRun run_of(const EvaluationRecord& record) {
+std::vector<std::string> names_of(const designs::StudySpec& study,
+                                  const std::vector<std::size_t>& objectives) {
+  std::vector<std::string> names;
+  for (const std::size_t j : objectives)
+    names.push_back(study::objective_name(study.objectives[j]));
+  return names;
+}
+
+ConfirmingRun run_of(const designs::StudySpec& study, const study::Pick& pick,
+                     const EvaluationRecord& record) {
   ConfirmingRun run{.id = record.id,
                     .stage = record.stage,
                     .spacing = record.spacing,
@@ -18,7 +29,8 @@ ConfirmingRun run_of(const EvaluationRecord& record) {
                     .reason = record.reason,
                     .feasible = record.ok && record.feasible,
                     .objectives = {},
-                    .violated = {}};
+                    .violated = {},
+                    .worse = names_of(study, study::worse_than_predicted(study, pick, record))};
   for (const records::ObjectiveRecord& objective : record.objectives) {
     run.objectives.push_back(objective.value);
   }
@@ -42,15 +54,14 @@ Spread spread_of(const std::string& name, const std::string& metric,
           .standard_deviation = std::sqrt(squares / static_cast<double>(values.size() - 1))};
 }
 
-/// How far the answer moves between the design and those near to it, at one spacing: for each
-/// objective, and for each constraint with a value.
-std::vector<Spread> spreads(const designs::StudySpec& study, const EvaluationRecord& pick,
-                            const std::vector<const EvaluationRecord*>& near) {
+/// How far the answer moves between runs of the design and of those near to it, all at one spacing:
+/// for each objective, and for each constraint with a value.
+std::vector<Spread> spreads(const designs::StudySpec& study,
+                            const std::vector<const EvaluationRecord*>& runs) {
   std::vector<Spread> list;
   const auto add = [&](const std::string& name, const std::string& metric, auto value_in) {
     std::vector<double> values;
-    if (const auto own = value_in(pick)) values.push_back(*own);
-    for (const EvaluationRecord* run : near) {
+    for (const EvaluationRecord* run : runs) {
       if (const auto value = value_in(*run)) values.push_back(*value);
     }
     if (values.size() > 1) list.push_back(spread_of(name, metric, values));
@@ -78,13 +89,19 @@ std::vector<Spread> spreads(const designs::StudySpec& study, const EvaluationRec
   return list;
 }
 
-RefutedDesign refuted_design(const study::LoadedStudy& study, const std::string& id) {
-  RefutedDesign result{.id = id, .violated = {}};
+void add_new(std::vector<std::string>& list, const std::string& name) {
+  if (std::ranges::count(list, name) == 0) list.push_back(name);
+}
+
+RefutedDesign refuted_design(const study::LoadedStudy& study, const study::Candidate& candidate) {
+  const study::Pick pick = study::pick_of(candidate);
+  RefutedDesign result{.id = pick.id, .violated = {}};
   for (const EvaluationRecord& run : study.confirmations) {
-    if (!study::confirms(run.id, id)) continue;
+    if (!study::confirms(run.id, pick.id)) continue;
+    const auto worse = study::worse_than_predicted(study.spec, pick, run);
+    for (const std::string& name : names_of(study.spec, worse)) add_new(result.worse, name);
     for (const records::ConstraintRecord& constraint : run.constraints) {
-      const bool known = std::ranges::count(result.violated, constraint.name) > 0;
-      if (!constraint.satisfied && !known) result.violated.push_back(constraint.name);
+      if (!constraint.satisfied) add_new(result.violated, constraint.name);
     }
   }
   return result;
@@ -94,22 +111,29 @@ RefutedDesign refuted_design(const study::LoadedStudy& study, const std::string&
 
 Confirmation confirmation_of(const study::LoadedStudy& study,
                              const study::ConfirmedPick& confirmed) {
-  const EvaluationRecord& pick = *confirmed.pick->design;
+  const EvaluationRecord& design = *confirmed.pick->design;
+  const study::Pick pick = study::pick_of(*confirmed.pick);
   Confirmation result{.verdict = confirmed.verdict, .runs = {}, .spread = {}, .refuted = {}};
-  std::vector<const EvaluationRecord*> near;
+  result.constraints_tested = study::has_metric_constraint(study.spec);
   std::vector<const EvaluationRecord*> runs;
   for (const EvaluationRecord& run : study.confirmations) {
-    if (study::confirms(run.id, pick.id)) runs.push_back(&run);
+    if (study::confirms(run.id, design.id)) runs.push_back(&run);
   }
   // The file has the order in which they ended.
   std::ranges::sort(runs, {}, &EvaluationRecord::id);
+  const double spacing = study::repeat_spacing(study, design);
+  std::vector<const EvaluationRecord*> repeats;
+  if (design.spacing == spacing) repeats.push_back(&design);
   for (const EvaluationRecord* run : runs) {
-    result.runs.push_back(run_of(*run));
-    if (run->stage == study::confirmation_stage::near && run->ok) near.push_back(run);
+    result.runs.push_back(run_of(study.spec, pick, *run));
+    if (run->spacing == spacing && run->ok) repeats.push_back(run);
   }
-  result.spread = spreads(study.spec, pick, near);
+  result.objectives_tested =
+      !runs.empty() &&
+      std::ranges::any_of(pick.predicted, [](const auto& one) { return one.has_value(); });
+  result.spread = spreads(study.spec, repeats);
   for (const study::Candidate* candidate : confirmed.refuted) {
-    result.refuted.push_back(refuted_design(study, candidate->design->id));
+    result.refuted.push_back(refuted_design(study, *candidate));
   }
   return result;
 }

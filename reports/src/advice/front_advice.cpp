@@ -40,7 +40,8 @@ std::vector<FrontDesign> front_designs(const designs::StudySpec& study,
                     .probability_feasible = candidate.probability_feasible(),
                     .probability_limits = candidate.probability_limits,
                     .within_limits = candidate.within_limits,
-                    .score = candidate.score});
+                    .score = candidate.score,
+                    .share = candidate.share});
   }
   return list;
 }

@@ -59,13 +59,19 @@ ObjectiveChange objective_change(const designs::Objective& objective,
   return result;
 }
 
-/// Twice the scatter about a fit of the study's only objective, where that predicts; else 0. A
-/// formula is exact: the scatter of some other metric says nothing about it.
-double tie_width(const designs::StudySpec& study, const std::vector<MetricResponse>& effects) {
+/// Twice the residuals of a fit of the study's only objective, where that predicts, or twice its
+/// scatter as measured, where that is more; else 0. A formula is exact: the scatter of some other
+/// metric says nothing about it.
+double tie_width(const designs::StudySpec& study, const std::vector<MetricResponse>& effects,
+                 const std::vector<Spread>& spread) {
   const std::string& metric = study.objectives.front().metric;
-  if (metric.empty() || effects.empty()) return 0.0;
-  const MetricResponse& fit = effects.front();
-  return fit.r2_left_out && *fit.r2_left_out >= rough_r2 ? 2.0 * fit.scatter.value() : 0.0;
+  if (metric.empty()) return 0.0;
+  const auto measured = std::ranges::find(spread, metric, &Spread::metric);
+  double scatter = measured == spread.end() ? 0.0 : measured->standard_deviation;
+  if (!effects.empty() && effects.front().r2_left_out.value_or(0.0) >= rough_r2) {
+    scatter = std::max(scatter, effects.front().scatter.value());
+  }
+  return 2.0 * scatter;
 }
 
 }  // namespace
@@ -88,7 +94,8 @@ std::optional<Improvement> improvement(const LoadedStudy& study, const Evaluatio
 }
 
 std::vector<Alternative> alternatives(const LoadedStudy& study, const EvaluationRecord& best,
-                                      const std::vector<MetricResponse>& effects) {
+                                      const std::vector<MetricResponse>& effects,
+                                      const std::vector<Spread>& spread, const RuleFacts& rule) {
   std::vector<Alternative> list;
   std::vector<const EvaluationRecord*> chosen{&best};
   const bool one_objective = study.spec.objectives.size() == 1;
@@ -103,7 +110,9 @@ std::vector<Alternative> alternatives(const LoadedStudy& study, const Evaluation
     if (!one_objective) continue;
     const double behind =
         std::abs(best.objectives.at(0).value.value() - design->objectives.at(0).value.value());
-    list.back().within_scatter = behind < tie_width(study.spec, effects);
+    list.back().within_scatter =
+        rule.draws > 0 ? std::ranges::count(rule.ties, design->id, &TiedDesign::id) > 0
+                       : behind < tie_width(study.spec, effects, spread);
   }
   return list;
 }

@@ -16,6 +16,7 @@
 #include "parapet/study/comparable.hpp"
 #include "parapet/study/pick.hpp"
 #include "rule_words.hpp"
+#include "sketch.hpp"
 #include "study_facts.hpp"
 
 namespace parapet::reports {
@@ -24,20 +25,53 @@ namespace {
 using records::EvaluationRecord;
 using study::LoadedStudy;
 
+/// The designs tied with the one recommended: the rule's first among them where another was taken.
+std::vector<TiedDesign> ties_of(const study::Choice& choice, const std::string& recommended) {
+  std::vector<TiedDesign> ties;
+  if (choice.tied.empty()) return ties;
+  for (const study::Candidate& one : choice.ranked) {
+    const std::string& id = one.design->id;
+    const bool tied = id == choice.first_by_rule || std::ranges::count(choice.tied, id) > 0;
+    if (!tied || id == recommended) continue;
+    ties.push_back({.id = id,
+                    .share = one.share.value_or(0.0),
+                    .margin = one.margin,
+                    .probability_feasible = one.probability_feasible()});
+  }
+  return ties;
+}
+
 RuleFacts rule_facts(const LoadedStudy& study, const study::PickRule& rule,
-                     const study::Choice& choice) {
-  return {.kind = choice.kind,
-          .limits = rule.limits,
-          .words = rule_words(study, rule, choice),
-          .all_doubtful = choice.all_doubtful,
-          .allows_none = choice.ranked.empty() && !choice.front.empty()};
+                     const study::Choice& choice, const study::Candidate* pick) {
+  RuleFacts facts{.kind = choice.kind,
+                  .limits = rule.limits,
+                  .words = rule_words(study, rule, choice),
+                  .all_doubtful = choice.all_doubtful,
+                  .allows_none = choice.ranked.empty() && !choice.front.empty(),
+                  .share = pick == nullptr ? std::nullopt : pick->share,
+                  .draws = choice.draws,
+                  .bulge = {},
+                  .no_knee = choice.no_knee,
+                  .knee_share = choice.knee_share,
+                  .first_by_rule = choice.first_by_rule};
+  if (choice.knee) facts.bulge = study::bulge_of(*choice.knee);
+  if (pick != nullptr) facts.ties = ties_of(choice, pick->design->id);
+  return facts;
 }
 
 RecommendedDesign recommended_design(const LoadedStudy& study, const study::Candidate& pick) {
-  return {.design = design_report(study.spec, *pick.design),
-          .estimates = estimates_of(study.spec, pick),
-          .probability_feasible = pick.probability_feasible(),
-          .probability_limits = pick.probability_limits};
+  RecommendedDesign result{.design = design_report(study.spec, *pick.design),
+                           .estimates = estimates_of(study.spec, pick),
+                           .probability_feasible = {},
+                           .probability_limits = pick.probability_limits,
+                           .repeat = study::repeat_expectations(study, *pick.design),
+                           .repeat_spacing = study::repeat_spacing(study, *pick.design),
+                           .margin = pick.margin,
+                           .sketch = sketch_of(study.spec, pick.design->design)};
+  // Further runs are worth more than pareto.json's figure of the noise-free value.
+  result.probability_feasible = study::probability_all_met(result.repeat);
+  if (!result.probability_feasible) result.probability_feasible = pick.probability_feasible();
+  return result;
 }
 
 /// The design that an engineer would look at when nothing meets the constraints: the one that
@@ -90,7 +124,7 @@ Recommendation recommend(const LoadedStudy& study, const study::PickRule& rule) 
   const study::ConfirmedPick confirmed = study::confirmed_pick(study, choice);
   Recommendation result;
   result.study = study_facts(study);
-  result.rule = rule_facts(study, rule, choice);
+  result.rule = rule_facts(study, rule, choice, confirmed.pick);
   result.least_violating = least_violating(study, choice);
   result.progress = search_progress(study);
   result.effects = variable_effects(study);
@@ -102,7 +136,8 @@ Recommendation recommend(const LoadedStudy& study, const study::PickRule& rule) 
     result.confirmation = confirmation_of(study, confirmed);
     if (several) result.leaving = ways_out(choice, best);
     result.improvement = improvement(study, best);
-    result.alternatives = alternatives(study, best, result.effects);
+    result.alternatives =
+        alternatives(study, best, result.effects, result.confirmation->spread, result.rule);
   }
   result.sensitivity = study.sensitivity;
   result.failed = failed_designs(study);

@@ -8,35 +8,59 @@
 namespace parapet::reports {
 namespace {
 
+constexpr const char* scaled_words =
+    "each objective is scaled to 0 at its best and 1 at its worst value on the front; ";
+
+std::string ends_of(const study::Choice& choice) {
+  std::vector<std::string> ends;
+  for (const std::size_t end : choice.knee->ends) ends.push_back(choice.front[end].design->id);
+  return joined(ends);
+}
+
 std::string knee_words(const study::Choice& choice) {
   if (choice.front.empty()) return "The knee of the front.";
   if (!choice.knee) {
     return "One design is at least as good as every other in every objective: there is nothing to "
            "trade off, and it is taken.";
   }
-  const study::Knee& knee = *choice.knee;
-  std::vector<std::string> ends;
-  for (const std::size_t end : knee.ends) ends.push_back(choice.front[end].design->id);
-  const std::string scaled =
-      "The knee of the front: each objective is scaled to 0 at its best and 1 at its worst value "
-      "on the front; ";
-  std::string words =
-      knee.through_ends
-          ? fmt::format(
-                "{}the design is taken that lies farthest, towards the best values, from "
-                "the {} through the ends of the front (the designs best in each objective: "
-                "{}).",
-                scaled, knee.ends.size() == 2 ? "line" : "plane", joined(ends))
-          : fmt::format(
-                "{}the design is taken whose largest scaled objective is smallest (the designs "
-                "best in each objective, {}, span no plane to measure a distance from).",
-                scaled, joined(ends));
-  if (choice.front.size() <= knee.ends.size()) {
-    words +=
-        " This front has no design between its ends, so the rule tells little here; the first "
-        "objective decides between equals.";
+  std::string words = fmt::format(
+      "The knee of the front: {}the design is taken that lies farthest, towards the best values, "
+      "from the {} through the ends of the front (the designs best in each objective: {}). It is "
+      "{:.2f} off; a front counts as one with a knee from {:g} on.",
+      scaled_words, choice.knee->ends.size() == 2 ? "line" : "plane", ends_of(choice),
+      study::bulge_of(*choice.knee), study::least_bulge);
+  if (choice.knee_share) {
+    words += fmt::format(" Of {} draws of the surrogates, {:.0f} % have a knee.", choice.draws,
+                         100.0 * *choice.knee_share);
   }
   return words;
+}
+
+std::string balanced_words(const study::Choice& choice) {
+  const std::string rule = fmt::format(
+      "{}the design is taken whose largest scaled objective is smallest.", scaled_words);
+  if (!choice.no_knee) return "Balanced: " + rule;
+  std::string why;
+  if (!choice.knee->through_ends) {
+    why = fmt::format("the designs best in each objective, {}, span no plane to measure from",
+                      ends_of(choice));
+  } else if (choice.front.size() <= choice.knee->ends.size()) {
+    why = "no design lies between its ends";
+  } else {
+    const char* through = choice.knee->ends.size() == 2 ? "line" : "plane";
+    const double bulge = study::bulge_of(*choice.knee);
+    why = bulge < study::least_bulge
+              ? fmt::format(
+                    "it is nearly straight (its farthest design is {:.2f} off the {} through "
+                    "its ends, {}; a knee needs {:g})",
+                    bulge, through, ends_of(choice), study::least_bulge)
+              : fmt::format(
+                    "its farthest design is expected to be {:.2f} off the {} through its "
+                    "ends, {}, but only {:.0f} % of {} draws have a design that is {:g} off",
+                    bulge, through, ends_of(choice), 100.0 * choice.knee_share.value_or(0.0),
+                    choice.draws, study::least_bulge);
+  }
+  return fmt::format("The front has no knee: {}. So the balanced design is taken: {}", why, rule);
 }
 
 std::string weights_words(const study::LoadedStudy& study, const study::PickRule& rule) {
@@ -74,13 +98,17 @@ std::string rule_words(const study::LoadedStudy& study, const study::PickRule& r
       return weights_words(study, rule);
     case study::RuleKind::limits:
       return limits_words(rule);
+    case study::RuleKind::balanced:
+      return balanced_words(choice);
     case study::RuleKind::automatic:
     case study::RuleKind::best:
       break;
   }
   return study.spec.objectives.size() > 1
              ? "The least weighted sum of the objectives, with the spec's own weights and scales."
-             : "The best value of the objective among the designs that meet every constraint.";
+             : "The best value of the objective among the designs that meet every constraint, as "
+               "the "
+               "surrogate expects it where there is one.";
 }
 
 }  // namespace parapet::reports

@@ -19,15 +19,19 @@ StudyFacts study_facts(const study::LoadedStudy& study) {
   for (const designs::Objective& objective : study.spec.objectives) {
     facts.objectives.push_back(terms_of(study.spec, objective));
   }
-  std::map<double, int> counts;
+  std::map<double, SpacingCount> counts;
   for (const records::EvaluationRecord& record : study.designs) {
     facts.failed += record.ok ? 0 : 1;
     facts.feasible += record.ok && record.feasible ? 1 : 0;
     facts.simulations += std::max(1, static_cast<int>(record.scenarios.size()));
     facts.cpu_time += record.cpu_time;
-    ++counts[record.spacing];
+    SpacingCount& count = counts[record.spacing];
+    count.spacing = record.spacing;
+    ++count.designs;
+    count.failed += record.ok ? 0 : 1;
+    count.feasible += record.ok && record.feasible ? 1 : 0;
   }
-  for (const auto& [spacing, designs] : counts) facts.spacings.push_back({spacing, designs});
+  for (const auto& [spacing, count] : counts) facts.spacings.push_back(count);
   return facts;
 }
 

@@ -24,7 +24,8 @@ Json run_json(const ConfirmingRun& run) {
           {"reason", run.reason},
           {"feasible", run.feasible},
           {"objectives", std::move(objectives)},
-          {"violated", run.violated}};
+          {"violated", run.violated},
+          {"worse", run.worse}};
 }
 
 }  // namespace
@@ -41,12 +42,14 @@ Json to_json(const Confirmation& confirmation) {
                       {"standard_deviation", one.standard_deviation}});
   }
   for (const RefutedDesign& one : confirmation.refuted) {
-    refuted.push_back({{"id", one.id}, {"violated", one.violated}});
+    refuted.push_back({{"id", one.id}, {"violated", one.violated}, {"worse", one.worse}});
   }
   return {{"verdict", verdict_word(confirmation.verdict)},
           {"runs", std::move(runs)},
           {"spread", std::move(spread)},
-          {"refuted", std::move(refuted)}};
+          {"refuted", std::move(refuted)},
+          {"constraints_tested", confirmation.constraints_tested},
+          {"objectives_tested", confirmation.objectives_tested}};
 }
 
 }  // namespace parapet::reports

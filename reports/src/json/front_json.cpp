@@ -20,7 +20,8 @@ Json to_json(const FrontDesign& design) {
           {"probability_feasible", optional_json(design.probability_feasible)},
           {"probability_limits", optional_json(design.probability_limits)},
           {"within_limits", design.within_limits},
-          {"score", design.score}};
+          {"score", design.score},
+          {"share", optional_json(design.share)}};
 }
 
 Json to_json(const WayOut& way) {

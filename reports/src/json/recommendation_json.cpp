@@ -3,6 +3,7 @@
 #include "confirmation_json.hpp"
 #include "design_json.hpp"
 #include "front_json.hpp"
+#include "page_one_json.hpp"
 #include "study_json.hpp"
 
 namespace parapet::reports {
@@ -17,18 +18,35 @@ Json to_json(const RuleFacts& rule) {
                       {"lower", optional_json(limit.lower)},
                       {"upper", optional_json(limit.upper)}});
   }
+  Json ties = Json::array();
+  for (const TiedDesign& one : rule.ties) {
+    ties.push_back({{"id", one.id},
+                    {"share", one.share},
+                    {"margin", optional_json(one.margin)},
+                    {"probability_feasible", optional_json(one.probability_feasible)}});
+  }
   return {{"name", study::to_string(rule.kind)},
           {"limits", std::move(limits)},
           {"words", rule.words},
           {"all_doubtful", rule.all_doubtful},
-          {"allows_none", rule.allows_none}};
+          {"allows_none", rule.allows_none},
+          {"share", optional_json(rule.share)},
+          {"draws", rule.draws},
+          {"bulge", optional_json(rule.bulge)},
+          {"no_knee", rule.no_knee},
+          {"knee_share", optional_json(rule.knee_share)},
+          {"first_by_rule", rule.first_by_rule},
+          {"ties", std::move(ties)}};
 }
 
 Json to_json(const RecommendedDesign& recommended) {
   Json json = reports::to_json(recommended.design);
   json.update({{"estimates", estimates_json(recommended.estimates)},
                {"probability_feasible", optional_json(recommended.probability_feasible)},
-               {"probability_limits", optional_json(recommended.probability_limits)}});
+               {"probability_limits", optional_json(recommended.probability_limits)},
+               {"repeat_spacing_m", recommended.repeat_spacing},
+               {"margin_in_uncertainties", optional_json(recommended.margin)},
+               {"repeat", repeat_json(recommended.repeat)}});
   return json;
 }
 
@@ -121,6 +139,7 @@ Json recommendation_json(const Recommendation& recommendation) {
   for (const auto& [key, definition] : recommendation.definitions) definitions[key] = definition;
   return {{"format", "parapet-recommendation/1"},
           {"study", reports::to_json(recommendation.study)},
+          {"page_one", reports::to_json(page_one(recommendation))},
           {"rule", to_json(recommendation.rule)},
           {"feasible", recommendation.recommended.has_value()},
           {"recommended", optional_part(recommendation.recommended)},

@@ -32,7 +32,10 @@ Json scenarios_json(const designs::StudySpec& spec) {
 Json to_json(const StudyFacts& study) {
   Json spacings = Json::array(), variables = Json::array(), objectives = Json::array();
   for (const SpacingCount& one : study.spacings) {
-    spacings.push_back({{"spacing_m", one.spacing}, {"designs", one.designs}});
+    spacings.push_back({{"spacing_m", one.spacing},
+                        {"designs", one.designs},
+                        {"feasible", one.feasible},
+                        {"failed", one.failed}});
   }
   for (const designs::Variable& one : study.spec.variables) variables.push_back(variable_json(one));
   for (const ObjectiveTerms& one : study.objectives) objectives.push_back(to_json(one));

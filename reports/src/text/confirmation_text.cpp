@@ -8,20 +8,13 @@
 #include "design_text.hpp"
 #include "key_text.hpp"
 #include "markdown.hpp"
+#include "verdict_words.hpp"
 
 namespace parapet::reports {
 namespace {
 
 std::string probability_text(const Recommendation& advice) {
-  const auto probability = advice.recommended->probability_feasible;
-  if (!probability) {
-    return "There is no surrogate's probability that it meets the constraints; it did when it was "
-           "simulated.";
-  }
-  std::string text = fmt::format(
-      "As simulated it meets every constraint; the surrogate, which has seen all designs, gives a "
-      "probability of {:.0f} % that it does.",
-      100.0 * *probability);
+  std::string text = "As simulated it meets every constraint; " + limits_words(advice) + ".";
   if (advice.rule.all_doubtful) {
     text += " **No design that the rule allows reaches 50 %**: each may be here by chance.";
   }
@@ -68,23 +61,31 @@ std::string runs_table(const Recommendation& advice) {
   }
   rows[0].push_back("constraints");
   alignment += 'l';
+  const bool predicted = advice.confirmation->objectives_tested;
+  if (predicted) {
+    rows[0].push_back("objectives");
+    alignment += 'l';
+  }
   const auto add = [&](const std::string& id, const std::string& what,
-                       const std::vector<std::optional<double>>& values, const std::string& state) {
+                       const std::vector<std::optional<double>>& values, const std::string& state,
+                       const std::string& worse) {
     std::vector<std::string> row{id, what};
     for (std::size_t j = 0; j < objectives.size(); ++j) {
       row.push_back(j < values.size() ? number_text(values[j]) : "-");
     }
     row.push_back(state);
+    if (predicted) row.push_back(worse.empty() ? "as predicted" : "**worse**: " + worse);
     rows.push_back(std::move(row));
   };
   std::vector<std::optional<double>> own;
   for (const ObjectiveResult& objective : objectives) own.push_back(objective.value);
-  add(advice.recommended->design.id, "the study's own run", own, "all hold");
+  add(advice.recommended->design.id, "the study's own run", own, "all hold", "");
   for (const ConfirmingRun& run : advice.confirmation->runs) {
     add(run.id, run_name(run), run.objectives,
         !run.ok                ? "failed: " + run.reason
         : run.violated.empty() ? "all hold"
-                               : "**violated**: " + joined(run.violated));
+                               : "**violated**: " + joined(run.violated),
+        joined(run.worse));
   }
   return table(rows, alignment);
 }
@@ -105,10 +106,19 @@ std::string spread_text(const std::vector<Spread>& spread) {
                     deviation_text(one)});
   }
   return "The design and those near it differ by half a per cent of each variable's range, which "
-         "no construction work could tell apart. So the differences between them are scatter, and "
-         "a "
-         "difference between two designs that is not larger means nothing.\n\n" +
+         "no "
+         "construction work could tell apart, and were simulated at one spacing. So the "
+         "differences "
+         "between them are scatter, and a difference between two designs that is not larger means "
+         "nothing.\n\n" +
          table(rows, "lrrrr");
+}
+
+std::string why_refuted(const RefutedDesign& one) {
+  std::vector<std::string> reasons;
+  if (!one.violated.empty()) reasons.push_back(joined(one.violated) + " was violated");
+  if (!one.worse.empty()) reasons.push_back(joined(one.worse) + " was worse than predicted");
+  return reasons.empty() ? " (a simulation failed)" : ": " + joined(reasons);
 }
 
 std::string refuted_text(const Confirmation& confirmation) {
@@ -117,9 +127,7 @@ std::string refuted_text(const Confirmation& confirmation) {
   for (const RefutedDesign& one : confirmation.refuted) {
     text +=
         fmt::format("Design {}, which the rule {}, did not hold when it was simulated again{}.\n\n",
-                    one.id, all ? "ranks high" : "prefers",
-                    one.violated.empty() ? " (a simulation failed)"
-                                         : ": " + joined(one.violated) + " was violated");
+                    one.id, all ? "ranks high" : "prefers", why_refuted(one));
   }
   return text;
 }
@@ -154,28 +162,6 @@ std::string limits_text(const Recommendation& advice) {
       joined(ids), ids.size() == 1 ? "s" : "");
 }
 
-std::string verdict_text(const Confirmation& confirmation) {
-  if (confirmation.verdict == study::Verdict::none) {
-    return "It was not simulated again: how much the answer scatters is not known. Run `parapet "
-           "recommend` without --no-confirm.\n\n";
-  }
-  if (confirmation.verdict == study::Verdict::refuted) {
-    return fmt::format(
-        "**Not confirmed.** The {} design{} tried did not hold when simulated again. The one shown "
-        "is the rule's first choice; it should not be built on this evidence. Tighter limits in "
-        "the spec, or more evaluations, leave a margin for the scatter.\n\n",
-        confirmation.refuted.size(), confirmation.refuted.size() == 1 ? "" : "s");
-  }
-  const auto broken = std::ranges::count(confirmation.runs, false, &ConfirmingRun::feasible);
-  if (broken == 0) {
-    return "**Confirmed**: every constraint holds in every run of the design and near it.\n\n";
-  }
-  return fmt::format(
-      "**Confirmed, narrowly**: {} of the {} runs near the design broke a constraint. It lies so "
-      "close to a limit that the scatter decides.\n\n",
-      broken, confirmation.runs.size());
-}
-
 }  // namespace
 
 std::string confirmation_section(const Recommendation& advice) {
@@ -183,7 +169,8 @@ std::string confirmation_section(const Recommendation& advice) {
   const Confirmation& confirmation = *advice.confirmation;
   std::string text = "## How sure\n\n" + probability_text(advice) + "\n\n";
   text += estimates_table(advice.recommended->estimates);
-  text += refuted_text(confirmation) + verdict_text(confirmation) + limits_text(advice);
+  text += refuted_text(confirmation) + verdict_words(advice) + ".\n\n";
+  text += limits_text(advice);
   if (!confirmation.runs.empty()) text += runs_table(advice) + spread_text(confirmation.spread);
   return text;
 }

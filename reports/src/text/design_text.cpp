@@ -15,13 +15,12 @@ bool is_bare_formula(const ObjectiveTerms& objective) {
   return !objective.expression.empty() && objective.expression == objective.name;
 }
 
-/// The key whose suffix is an objective's unit; a formula has that of its name.
-std::string unit_key(const ObjectiveTerms& objective) {
+}  // namespace
+
+std::string objective_unit_key(const ObjectiveTerms& objective) {
   if (is_bare_formula(objective)) return "";
   return objective.metric.empty() ? objective.name : objective.metric;
 }
-
-}  // namespace
 
 std::string design_words(const WrittenDesign& design) {
   std::vector<std::string> parts;
@@ -49,11 +48,11 @@ std::string objective_name(const ObjectiveTerms& objective) {
 }
 
 std::string objective_label(const ObjectiveTerms& objective) {
-  return objective_name(objective) + bracketed_unit(unit_key(objective));
+  return objective_name(objective) + bracketed_unit(objective_unit_key(objective));
 }
 
 std::string objective_value(const ObjectiveTerms& objective, const std::optional<double>& value) {
-  return with_unit(value, unit_key(objective));
+  return with_unit(value, objective_unit_key(objective));
 }
 
 std::string estimate_text(const study::Estimate& estimate) {

@@ -14,6 +14,9 @@ std::string design_words(const WrittenDesign& design);
 /// A variable's cell in a table; empty where the design does not have it.
 std::string variable_cell(const WrittenDesign& design, const std::string& name);
 
+/// The key whose suffix is an objective's unit; a formula has that of its name, or none.
+std::string objective_unit_key(const ObjectiveTerms& objective);
+
 /// An objective's name: "launch length", with its statistic if it has one.
 std::string objective_name(const ObjectiveTerms& objective);
 

@@ -7,6 +7,6 @@
 namespace parapet::reports {
 
 /// What each variable does; empty without fits.
-std::string effects_section(const std::vector<MetricResponse>& effects);
+std::string effects_section(const Recommendation& advice);
 
 }  // namespace parapet::reports

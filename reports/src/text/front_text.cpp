@@ -35,7 +35,7 @@ std::string front_table(const Recommendation& advice) {
     heading.push_back(objective_label(objective.terms));
     if (estimated(objective)) heading.push_back("surrogate (95 %)");
   }
-  if (estimates) heading.push_back("meets the constraints");
+  if (estimates) heading.push_back("a repeat meets the constraints");
   if (limits) heading.push_back("meets the limits");
   for (const designs::Variable& variable : advice.study.spec.variables) {
     heading.push_back(key_label(variable.name));

@@ -2,86 +2,57 @@
 
 #include <fmt/format.h>
 
-#include "design_text.hpp"
 #include "markdown.hpp"
+#include "parapet/reports/page_one.hpp"
 
 namespace parapet::reports {
 namespace {
 
-std::string objective_words(const ObjectiveResult& objective) {
-  const std::string value = objective_value(objective.terms, objective.value);
-  return objective.absent ? fmt::format("no value, counted as {}", value) : value;
+/// One line for each quantity, or all on one where there would be too many.
+std::string quantities(const std::vector<PageOneLine>& lines, std::size_t most,
+                       const std::string& heading, bool bold) {
+  std::vector<std::string> words;
+  for (const PageOneLine& line : lines) {
+    const std::string text = bold ? "**" + line.text + "**" : line.text;
+    words.push_back(
+        fmt::format("{}: {}{}{}", line.label, text, line.asked.empty() ? "" : ", ", line.asked));
+  }
+  if (words.empty()) return "";
+  if (words.size() <= most) {
+    std::string text;
+    for (const std::string& one : words) text += "- " + one + "\n";
+    return text;
+  }
+  return "- " + heading + fmt::format("{}\n", fmt::join(words, "; "));
 }
 
-std::string opening_without_pick(const Recommendation& advice) {
-  const StudyFacts& study = advice.study;
-  std::string text = fmt::format("# No arrangement to recommend: {}\n\n", study.spec.name);
-  if (advice.rule.allows_none) {
-    return text + fmt::format(
-                      "**{} designs meet every constraint, but none of them the rule's limits on "
-                      "objectives.** {} The front below shows what can be had.\n\n",
-                      study.feasible, advice.rule.words);
-  }
-  text += fmt::format("**None of the {} designs evaluated meets every constraint.** ",
-                      study.evaluations);
-  if (!advice.least_violating) return text + "No simulation succeeded either.\n\n";
-  const DesignReport& nearest = advice.least_violating->design;
-  return text + fmt::format(
-                    "The one that misses them least is design {}: {}. It is shown below "
-                    "to help in changing the spec, not as advice to build it.\n\n",
-                    nearest.id, design_words(nearest.design));
+std::string item(const std::string& words) {
+  return words.empty() ? "" : "- " + words + "\n";
 }
 
-/// One line on how sure the pick is; the section "How sure" has the rest.
-std::string certainty(const Recommendation& advice) {
-  const study::Verdict verdict = advice.confirmation->verdict;
-  const std::size_t runs = advice.confirmation->runs.size();
-  const std::string times = fmt::format("{} run{}", runs, runs == 1 ? "" : "s");
-  std::string text = verdict == study::Verdict::confirmed
-                         ? fmt::format("- simulated again ({}): it held\n", times)
-                     : verdict == study::Verdict::refuted
-                         ? fmt::format("- **simulated again ({}): it did not hold**\n", times)
-                         : "- not simulated again: its scatter is not known\n";
-  if (const auto share = advice.recommended->probability_feasible) {
-    text +=
-        fmt::format("- probability that it meets every constraint, by the surrogate: {:.0f} %\n",
-                    100.0 * *share);
-  }
-  return text;
-}
-
-std::string constraints_line(const std::vector<ConstraintResult>& constraints) {
-  if (constraints.empty()) return "";
-  std::vector<std::string> active;
-  for (const ConstraintResult& constraint : constraints) {
-    if (constraint.active) active.push_back(constraint_label(constraint));
-  }
-  const std::string text = constraints.size() == 1
-                               ? "- the constraint holds"
-                               : fmt::format("- all {} constraints hold", constraints.size());
-  return text + (active.empty() ? "; none is close to its limit\n"
-                                : fmt::format("; at its limit: {}\n", joined(active)));
+/// The head of a sentence, up to its colon, in bold.
+std::string strong_head(const std::string& words) {
+  const std::size_t colon = words.find(':');
+  if (colon == std::string::npos) return words;
+  return "**" + words.substr(0, colon) + "**" + words.substr(colon);
 }
 
 }  // namespace
 
 std::string opening_section(const Recommendation& advice) {
-  if (!advice.recommended) return opening_without_pick(advice);
-  const StudyFacts& study = advice.study;
-  const DesignReport& best = advice.recommended->design;
-  std::string text = fmt::format("# Recommended arrangement: {}\n\n", study.spec.name);
-  text += fmt::format("**{}** (design {}).\n\n", design_words(best.design), best.id);
-  for (std::size_t j = 0; j < best.objectives.size(); ++j) {
-    const ObjectiveResult& objective = best.objectives[j];
-    const std::string estimate = estimate_text(advice.recommended->estimates[j].estimate);
-    text += fmt::format("- {}: **{}** (to be {}d){}\n", objective_name(objective.terms),
-                        objective_words(objective), goal_word(objective.terms.goal),
-                        estimate == "-" ? "" : "; surrogate " + estimate);
+  const PageOne page = page_one(advice);
+  std::string text = "# " + page.title + "\n\n";
+  if (!page.instead.empty()) return text + page.instead + "\n\n";
+  text += fmt::format("**{}** (design {}).\n\n", page.arrangement, page.design);
+  if (!page.sketch.empty()) {
+    text += fmt::format("```\n{}\n```\n\n", fmt::join(page.sketch, "\n"));
   }
-  text += constraints_line(best.constraints) + certainty(advice);
-  text += fmt::format("- {} designs evaluated: {} feasible, {} failed\n\n", study.evaluations,
-                      study.feasible, study.failed);
-  return text + fmt::format("How it was chosen. {}\n\n", advice.rule.words);
+  text += "What a repeat of it would give, with 95 % intervals:\n\n";
+  text += quantities(page.performance, 3, "objectives: ", true);
+  text += quantities(page.limits, 1, "limits: ", false);
+  text += quantities(page.loads, 0, "", false);
+  text += item(page.probability_words) + item(page.chosen) + item(page.ties) + item(page.bounds);
+  return text + item(page.grid) + item(strong_head(page.verdict_words)) + "\n";
 }
 
 }  // namespace parapet::reports

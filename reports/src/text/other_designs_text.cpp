@@ -77,12 +77,11 @@ std::string alternatives_section(const Recommendation& advice) {
     add(alternative.design, alternative.design.id);
     if (alternative.within_scatter.value_or(false)) ties.push_back(alternative.design.id);
   }
-  const std::string note =
-      ties.empty() ? ""
-                   : fmt::format(
-                         "Within the scatter about the fit (below), the data cannot rank {} "
-                         "against the recommended design.\n\n",
-                         joined(ties));
+  const std::string note = ties.empty() ? ""
+                                        : fmt::format(
+                                              "Within the scatter, the data cannot rank {} "
+                                              "against the recommended design.\n\n",
+                                              joined(ties));
   std::string alignment(heading.size(), 'r');
   alignment.front() = 'l';
   return "## Alternatives\n\nThe best other feasible designs, each at least 5 % of a variable's "

@@ -79,6 +79,7 @@ void escape(Confirmation& confirmation) {
     escape(run.id);
     escape(run.reason);
     escape(run.violated);
+    escape(run.worse);
   }
   for (Spread& spread : confirmation.spread) {
     escape(spread.name);
@@ -87,6 +88,7 @@ void escape(Confirmation& confirmation) {
   for (RefutedDesign& one : confirmation.refuted) {
     escape(one.id);
     escape(one.violated);
+    escape(one.worse);
   }
 }
 
@@ -146,9 +148,15 @@ Recommendation safe_for_markdown(Recommendation advice) {
   escape(advice.study.spec);
   for (ObjectiveTerms& terms : advice.study.objectives) escape(terms);
   escape(advice.rule.words);
+  escape(advice.rule.first_by_rule);
+  for (TiedDesign& tied : advice.rule.ties) escape(tied.id);
   for (study::ObjectiveLimit& limit : advice.rule.limits) escape(limit.objective);
   if (advice.recommended) {
     escape(advice.recommended->design);
+    for (study::Expectation& one : advice.recommended->repeat) {
+      escape(one.name);
+      escape(one.metric);
+    }
     for (ObjectiveEstimate& objective : advice.recommended->estimates) escape(objective.terms);
   }
   if (advice.confirmation) escape(*advice.confirmation);

@@ -57,19 +57,19 @@ std::string effect_text(const VariableSensitivity& variable, const std::string& 
   return joined(words) + bracketed_unit(metric);
 }
 
-std::string trust_text(const MetricSensitivity& metric) {
+std::string trust_text(const MetricSensitivity& metric, const std::string& spacings) {
   if (!metric.q_squared) return "";
   const char* verdict = *metric.q_squared >= trusted_r2 ? "it predicts designs left out of it well"
                         : *metric.q_squared >= rough_r2
                             ? "it predicts designs left out of it only roughly"
                             : "**it does not predict designs left out of it: the table says "
                               "little**";
-  return fmt::format("Surrogate of {} designs, Q² {:.2f}: {}.\n\n", metric.designs,
+  return fmt::format("Surrogate of {} runs{}, Q² {:.2f}: {}.\n\n", metric.designs, spacings,
                      *metric.q_squared, verdict);
 }
 
-std::string metric_text(const MetricSensitivity& metric) {
-  std::string text = "### " + metric_label(metric) + "\n\n" + trust_text(metric);
+std::string metric_text(const MetricSensitivity& metric, const std::string& spacings) {
+  std::string text = "### " + metric_label(metric) + "\n\n" + trust_text(metric, spacings);
   if (!metric.varies) return text + "It does not vary over the box.\n\n";
   std::vector<const VariableSensitivity*> order;
   for (const VariableSensitivity& variable : metric.variables) order.push_back(&variable);
@@ -87,7 +87,8 @@ std::string metric_text(const MetricSensitivity& metric) {
 
 }  // namespace
 
-std::string sensitivity_section(const std::optional<study::Sensitivity>& sensitivity) {
+std::string sensitivity_section(const Recommendation& advice) {
+  const std::optional<study::Sensitivity>& sensitivity = advice.sensitivity;
   if (!sensitivity || sensitivity->metrics.empty()) return "";
   std::string text =
       "## Which variables matter\n\nSobol' indices by the surrogate: the share of a quantity's "
@@ -96,7 +97,9 @@ std::string sensitivity_section(const std::optional<study::Sensitivity>& sensiti
       "formula forbids included; every option equally likely; a variable that does not exist under "
       "an option counts only where it does). In brackets: 95 % intervals, which "
       "cover the sampling and the surrogate's own uncertainty.\n\n";
-  for (const MetricSensitivity& metric : sensitivity->metrics) text += metric_text(metric);
+  const std::string spacings = advice.study.spacings.size() > 1 ? " at all spacings together" : "";
+  for (const MetricSensitivity& metric : sensitivity->metrics)
+    text += metric_text(metric, spacings);
   return text;
 }
 

@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 
-#include "parapet/study/sensitivity_file.hpp"
+#include "parapet/reports/recommendation.hpp"
 
 namespace parapet::reports {
 
 /// Which variables matter; empty when it is not known.
-std::string sensitivity_section(const std::optional<study::Sensitivity>& sensitivity);
+std::string sensitivity_section(const Recommendation& advice);
 
 }  // namespace parapet::reports

@@ -72,17 +72,19 @@ std::string scenarios_words(const std::vector<designs::Scenario>& scenarios) {
 
 std::string numbers_words(const StudyFacts& study) {
   std::string text =
-      fmt::format("- {} designs evaluated by {} simulations", study.evaluations, study.simulations);
+      fmt::format("- {} evaluations by {} simulations", study.evaluations, study.simulations);
   if (const double time = study.cpu_time; time > 0.0) {
     text += time >= 3600.0 ? fmt::format(", {:.1f} h of processor time", time / 3600.0)
                            : fmt::format(", {:.0f} s of processor time", time);
   }
-  text += fmt::format(": {} feasible, {} failed\n", study.feasible, study.failed);
+  text += "\n";
   std::vector<std::string> levels;
   for (const SpacingCount& level : study.spacings) {
-    levels.push_back(fmt::format("{:.4g} mm ({} designs)", 1000.0 * level.spacing, level.designs));
+    levels.push_back(fmt::format("{} designs at {:.4g} mm ({} meet every constraint, {} failed)",
+                                 level.designs, 1000.0 * level.spacing, level.feasible,
+                                 level.failed));
   }
-  if (!levels.empty()) text += "- particle spacing: " + joined(levels);
+  if (!levels.empty()) text += "- particle spacings: " + joined(levels);
   if (levels.size() > 1) {
     text += fmt::format("; only designs at {:.4g} mm are compared; the others inform the surrogate",
                         1000.0 * study.counted_spacing);

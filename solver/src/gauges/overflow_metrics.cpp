@@ -1,4 +1,5 @@
 // Metrics of the overflow over the first barrier.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -60,22 +61,25 @@ constexpr std::array overflow_entries{
         .range = one},
     MetricEntry{.key = "launch_length_m",
                 .unit = "m",
+                .least = 0.0,
                 .absent_when = {&nothing_landed},
                 .definition =
                     "distance along the bed from the first barrier's foot to the place where the "
                     "coherent overflow (the first launch_mass_share, 1 %, of the released mass "
                     "to land) touches down, mass median; what has landed has come closer than "
-                    "landing_height (0.05 H0) to the bed below it",
+                    "landing_height (0.05 H0) to the bed below it; 0 where a leaning stem lets it "
+                    "land upstream of the foot",
 
                 .gauge = [](Readings run, std::size_t) -> Reading {
                   if (!run.impact) return nothing_landed;
-                  return run.impact->x - run.first_foot_x;
+                  return std::max(0.0, run.impact->x - run.first_foot_x);
                 },
                 .coarsest = [](Settings s) { return 1.5 * s.landing_height_ratio; },
                 .coarse_reason = &absence::too_large,
                 .mass_share = [](Settings s) { return s.launch_mass_share; }},
     MetricEntry{.key = "impact_x_m",
                 .unit = "m",
+                .least = 0.0,
                 .absent_when = {&nothing_landed},
                 .definition = "the same place, counted from the reservoir's back wall",
 

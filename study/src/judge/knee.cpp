@@ -83,4 +83,28 @@ Knee knee_of(const std::vector<ObjectiveValues>& front) {
   return knee;
 }
 
+double bulge_of(const Knee& knee) {
+  return knee.through_ends ? *std::ranges::max_element(knee.distance) : 0.0;
+}
+
+ObjectiveValues largest_objectives(const std::vector<ObjectiveValues>& front) {
+  const FrontRange range = range_of(front);
+  std::vector<double> largest;
+  for (const ObjectiveValues& point : front) {
+    const ObjectiveValues scaled = range.normalised(point);
+    largest.push_back(*std::ranges::max_element(scaled));
+  }
+  return largest;
+}
+
+std::size_t default_pick(const std::vector<ObjectiveValues>& front) {
+  const Knee knee = knee_of(front);
+  if (bulge_of(knee) >= least_bulge) {
+    return static_cast<std::size_t>(std::ranges::max_element(knee.distance) -
+                                    knee.distance.begin());
+  }
+  const std::vector<double> largest = largest_objectives(front);
+  return static_cast<std::size_t>(std::ranges::min_element(largest) - largest.begin());
+}
+
 }  // namespace parapet::study

@@ -6,7 +6,10 @@
 #include "parapet/math/normal.hpp"
 #include "parapet/math/pareto.hpp"
 #include "parapet/study/comparable.hpp"
+#include "parapet/study/predicted.hpp"
 #include "parapet/study/scoring.hpp"
+#include "rank_draws.hpp"
+#include "rule_scores.hpp"
 #include "to_objectives.hpp"
 
 namespace parapet::study {
@@ -15,20 +18,40 @@ namespace {
 using designs::InputError;
 using records::EvaluationRecord;
 
+/// What the surrogates expect of the objectives, to be minimised; as observed without them.
+std::vector<double> expected_objectives(const designs::StudySpec& study,
+                                        const Candidate& candidate) {
+  std::vector<double> expected = candidate.values;
+  for (const Expectation& one : candidate.predicted) {
+    if (one.role != Role::objective || !one.estimate || !one.estimate->scatter) continue;
+    const bool maximize = study.objectives[one.place].goal == designs::Goal::maximize;
+    expected[one.place] = maximize ? -one.estimate->mean : one.estimate->mean;
+  }
+  return expected;
+}
+
 std::vector<Candidate> feasible_designs(const LoadedStudy& study) {
-  std::vector<Candidate> list;
+  std::vector<const EvaluationRecord*> records;
   for (const EvaluationRecord* design : comparable_designs(study)) {
-    if (!design->feasible) continue;
-    list.push_back({.design = design,
-                    .values = minimized_objectives(*design),
-                    .estimates = study.front ? study.front->find(design->id) : nullptr});
+    if (design->feasible) records.push_back(design);
+  }
+  auto predicted = predicted_expectations(study, records);
+  std::vector<Candidate> list;
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    Candidate& candidate = list.emplace_back();
+    candidate.design = records[k];
+    candidate.values = minimized_objectives(*records[k]);
+    candidate.estimates = study.front ? study.front->find(records[k]->id) : nullptr;
+    candidate.predicted = std::move(predicted[k]);
+    candidate.expected = expected_objectives(study.spec, candidate);
+    candidate.margin = margin_in_uncertainties(candidate.predicted);
   }
   return list;
 }
 
-std::vector<std::vector<double>> values_of(const std::vector<Candidate>& list) {
+std::vector<std::vector<double>> expected_of(const std::vector<Candidate>& list) {
   std::vector<std::vector<double>> values;
-  for (const Candidate& candidate : list) values.push_back(candidate.values);
+  for (const Candidate& candidate : list) values.push_back(candidate.expected);
   return values;
 }
 
@@ -41,51 +64,10 @@ std::vector<Candidate> front_of(const std::vector<Candidate>& feasible) {
   return front;
 }
 
-/// The place of an objective that an option names, by its name or its metric.
-std::size_t objective_index(const designs::StudySpec& study, const std::string& name,
-                            const char* option) {
-  std::string names;
-  for (std::size_t j = 0; j < study.objectives.size(); ++j) {
-    const designs::Objective& objective = study.objectives[j];
-    const std::string own = objective_name(objective);
-    const std::string& of = objective.metric.empty() ? objective.expression : objective.metric;
-    if (own == name || of == name) return j;
-    names += j == 0 ? "" : j + 1 == study.objectives.size() ? " and " : ", ";
-    names += own;
-  }
-  throw InputError(
-      {{option, "", name, "the study has no objective of that name", "one of " + names}});
-}
-
-void score_by_knee(Choice& choice) {
-  if (choice.front.size() < 2) return;
-  choice.knee = knee_of(values_of(choice.front));
-  for (std::size_t k = 0; k < choice.front.size(); ++k) {
-    // The ends lie on the plane but for rounding, which must not decide between them.
-    const double distance = choice.knee->distance[k];
-    choice.front[k].score = std::abs(distance) < 1e-12 ? -0.0 : -distance;
-  }
-}
-
-void score_by_weights(const LoadedStudy& study, const PickRule& rule, Choice& choice) {
-  std::vector<double> weights(study.spec.objectives.size(), 0.0);
-  for (const auto& [name, weight] : rule.weights) {
-    weights[objective_index(study.spec, name, "--weights")] = weight;
-  }
-  if (choice.front.empty()) return;
-  const FrontRange range = range_of(values_of(choice.front));
-  for (Candidate& candidate : choice.front) {
-    const std::vector<double> scaled = range.normalised(candidate.values);
-    candidate.score = 0.0;
-    for (std::size_t j = 0; j < scaled.size(); ++j) candidate.score += weights[j] * scaled[j];
-  }
-}
-
-void score_by_limits(const LoadedStudy& study, const PickRule& rule, Choice& choice) {
+void hold_to_limits(const LoadedStudy& study, const PickRule& rule, Choice& choice) {
   for (const ObjectiveLimit& limit : rule.limits) {
     const std::size_t j = objective_index(study.spec, limit.objective, "--limit");
     for (Candidate& candidate : choice.front) {
-      candidate.score = candidate.values.front();
       const double value = candidate.design->objectives[j].value.value();
       if ((limit.lower && value < *limit.lower) || (limit.upper && value > *limit.upper)) {
         candidate.within_limits = false;
@@ -94,6 +76,62 @@ void score_by_limits(const LoadedStudy& study, const PickRule& rule, Choice& cho
       const auto share = probability_within(candidate.estimates->objectives.at(j), limit);
       if (share) candidate.probability_limits = candidate.probability_limits.value_or(1.0) * *share;
     }
+  }
+}
+
+/// Whether the front has a knee: as it is expected, and in at least half of the draws.
+void look_for_knee(const LoadedStudy& study, Choice& choice) {
+  if (choice.front.size() < 2) return;
+  constexpr double most_draws = 0.5;
+  choice.knee = knee_of(expected_of(choice.front));
+  const auto draws = objective_draws(study, choice.front);
+  double with_knee = 0.0;
+  for (const auto& values : draws) {
+    with_knee += bulge_of(knee_of(values)) >= least_bulge ? 1.0 : 0.0;
+  }
+  if (!draws.empty()) choice.knee_share = with_knee / static_cast<double>(draws.size());
+  choice.no_knee =
+      bulge_of(*choice.knee) < least_bulge || choice.knee_share.value_or(1.0) < most_draws;
+  if (choice.no_knee) choice.kind = RuleKind::balanced;
+}
+
+void set_scores(const Scores& scores, std::vector<Candidate>& list) {
+  if (list.empty()) return;
+  const std::vector<double> score = scores(expected_of(list));
+  for (std::size_t k = 0; k < list.size(); ++k) list[k].score = score[k];
+}
+
+/// Names what the draws cannot tell from the first, and puts the one with the largest margin first.
+void settle_ties(const LoadedStudy& study, const Scores& scores, Choice& choice) {
+  std::vector<Candidate>& ranked = choice.ranked;
+  if (ranked.empty()) return;
+  choice.first_by_rule = ranked.front().design->id;
+  constexpr std::size_t most_compared = 50;  // farther behind nothing is tied
+  std::vector<Candidate> compared(
+      ranked.begin(),
+      ranked.begin() + static_cast<std::ptrdiff_t>(std::min(ranked.size(), most_compared)));
+  const auto draws = objective_draws(study, compared);
+  choice.draws = static_cast<int>(draws.size());
+  count_draws(draws, scores, compared);
+  std::copy(compared.begin(), compared.end(), ranked.begin());
+  std::size_t taken = 0;
+  for (std::size_t k = 1; k < compared.size(); ++k) {
+    const Candidate& one = ranked[k];
+    if (one.beats.value_or(0.0) < tie_share || (one.doubtful() && !choice.all_doubtful)) continue;
+    choice.tied.push_back(one.design->id);
+    if (one.margin && ranked[taken].margin && *one.margin > *ranked[taken].margin) taken = k;
+  }
+  const auto place = ranked.begin() + static_cast<std::ptrdiff_t>(taken);
+  std::rotate(ranked.begin(), place, place + 1);
+}
+
+/// Draws' shares belong to the front's designs too.
+void share_with_front(Choice& choice) {
+  for (Candidate& candidate : choice.front) {
+    const auto ranked = std::ranges::find(choice.ranked, candidate.design, &Candidate::design);
+    if (ranked == choice.ranked.end()) continue;
+    candidate.share = ranked->share;
+    candidate.beats = ranked->beats;
   }
 }
 
@@ -127,6 +165,12 @@ RuleKind resolved_kind(const LoadedStudy& study, const PickRule& rule) {
 }  // namespace
 
 std::optional<double> Candidate::probability_feasible() const {
+  if (const auto known = predicted.empty() ? std::nullopt : probability_all_met(predicted)) {
+    const bool by_surrogate = std::ranges::any_of(predicted, [](const Expectation& one) {
+      return !one.exact && one.estimate && one.estimate->scatter;
+    });
+    if (by_surrogate) return known;
+  }
   return estimates == nullptr ? std::nullopt : estimates->probability_feasible;
 }
 
@@ -150,38 +194,52 @@ Choice choose(const LoadedStudy& study, const PickRule& rule) {
   Choice choice{.kind = resolved_kind(study, rule)};
   std::vector<Candidate> feasible = feasible_designs(study);
   choice.front = front_of(feasible);
+  if (choice.kind == RuleKind::knee) look_for_knee(study, choice);
+  if (choice.kind == RuleKind::limits) hold_to_limits(study, rule, choice);
+  const Scores scores = scores_of(study, rule, choice.kind);
+  set_scores(scores, choice.front);
   if (choice.kind == RuleKind::best) {
-    for (Candidate& candidate : feasible) candidate.score = *candidate.design->objective_scalar;
+    set_scores(scores, feasible);
     rank(choice, std::move(feasible));
-    return choice;
+  } else {
+    rank(choice, choice.front);
   }
-  if (choice.kind == RuleKind::knee) score_by_knee(choice);
-  if (choice.kind == RuleKind::weights) score_by_weights(study, rule, choice);
-  if (choice.kind == RuleKind::limits) score_by_limits(study, rule, choice);
-  rank(choice, choice.front);
+  settle_ties(study, scores, choice);
+  share_with_front(choice);
   return choice;
+}
+
+Pick pick_of(const Candidate& candidate) {
+  Pick pick{.id = candidate.design->id,
+            .design = candidate.design->design,
+            .spacing = candidate.design->spacing,
+            .probability_feasible = candidate.probability_feasible()};
+  for (const Expectation& one : candidate.predicted) {
+    if (one.role != Role::objective) continue;
+    const bool known = !one.exact && one.estimate && one.estimate->scatter;
+    pick.predicted.push_back(known ? one.estimate : std::nullopt);
+  }
+  return pick;
 }
 
 std::vector<Pick> ranked_picks(const LoadedStudy& study, const PickRule& rule) {
   std::vector<Pick> picks;
-  for (const Candidate& candidate : choose(study, rule).ranked) {
-    picks.push_back({candidate.design->id, candidate.design->design, candidate.design->spacing,
-                     candidate.probability_feasible()});
-  }
+  for (const Candidate& candidate : choose(study, rule).ranked) picks.push_back(pick_of(candidate));
   return picks;
 }
 
 ConfirmedPick confirmed_pick(const LoadedStudy& study, const Choice& choice) {
-  std::vector<ConfirmationRun> runs;
-  for (const EvaluationRecord& run : study.confirmations) {
-    runs.push_back({run.id, run.stage, run.ok && run.feasible});
-  }
   ConfirmedPick result;
   const auto tried =
       std::min(choice.ranked.size(), static_cast<std::size_t>(most_confirmed_designs));
   for (std::size_t k = 0; k < tried; ++k) {
     const Candidate& candidate = choice.ranked[k];
-    const Verdict verdict = verdict_of(candidate.design->id, runs);
+    const Pick pick = pick_of(candidate);
+    std::vector<ConfirmationRun> runs;
+    for (const EvaluationRecord& run : study.confirmations) {
+      runs.push_back(confirmation_run(study.spec, pick, run));
+    }
+    const Verdict verdict = verdict_of(pick.id, runs);
     if (verdict == Verdict::refuted) {
       result.refuted.push_back(&candidate);
       continue;

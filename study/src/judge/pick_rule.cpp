@@ -68,10 +68,11 @@ RuleKind parse_kind(const std::string& rule, bool weights, bool limits) {
   }
   if (rule == "best") return RuleKind::best;
   if (rule == "knee") return RuleKind::knee;
+  if (rule == "balanced") return RuleKind::balanced;
   if (rule == "weights") return RuleKind::weights;
   if (rule == "limits") return RuleKind::limits;
   throw InputError(
-      {{"--rule", "", rule, "there is no such rule", "best, knee, weights or limits"}});
+      {{"--rule", "", rule, "there is no such rule", "best, knee, balanced, weights or limits"}});
 }
 
 }  // namespace
@@ -86,6 +87,8 @@ std::string to_string(RuleKind kind) {
       return "knee";
     case RuleKind::weights:
       return "weights";
+    case RuleKind::balanced:
+      return "balanced";
     case RuleKind::limits:
       break;
   }
@@ -126,6 +129,7 @@ std::string command_line(const PickRule& rule) {
   std::string text, weights;
   if (rule.kind == RuleKind::best) text = " --rule best";
   if (rule.kind == RuleKind::knee) text = " --rule knee";
+  if (rule.kind == RuleKind::balanced) text = " --rule balanced";
   for (const auto& [name, weight] : rule.weights) {
     weights += fmt::format("{}{}={}", weights.empty() ? "" : ",", name, weight);
   }

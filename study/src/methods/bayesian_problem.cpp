@@ -231,11 +231,7 @@ bayesian::SearchOptions make_search_options(const designs::StudySpec& study) {
   options.stagnation_evaluations = study.method.stagnation_evaluations;
   options.least_gain = study.method.least_gain;
   // What `parapet recommend` picks where it is told nothing.
-  options.recommend = [](const std::vector<std::vector<double>>& front) {
-    const Knee knee = knee_of(front);
-    const auto farthest = std::ranges::max_element(knee.distance);
-    return static_cast<std::size_t>(farthest - knee.distance.begin());
-  };
+  options.recommend = default_pick;
   return options;
 }
 

@@ -11,6 +11,7 @@
 #include "parapet/records/output_folder.hpp"
 #include "parapet/records/study_folder.hpp"
 #include "parapet/study/scoring.hpp"
+#include "parapet/study/study_surrogates.hpp"
 
 namespace parapet::study {
 namespace {
@@ -210,6 +211,11 @@ LoadedStudy load_study_folder(const std::filesystem::path& folder) {
   }
   if (std::ranges::count(checksums.damaged(), "pareto.json") == 0) {
     study.front = reading(folder / "pareto.json", [&] { return read_front(study); });
+  }
+  if (std::ranges::count(checksums.damaged(), "surrogates.json") == 0) {
+    const std::filesystem::path surrogates = folder / "surrogates.json";
+    study.surrogates = reading(
+        surrogates, [&] { return StudySurrogates::read(study.spec, surrogates, study.spec_hash); });
   }
   const std::filesystem::path sensitivity = folder / "sensitivity.json";
   study.sensitivity =

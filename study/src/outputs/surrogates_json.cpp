@@ -92,7 +92,13 @@ Json level_json(const surrogate::LevelParameters& level, double spacing) {
           {"mean", level.mean},           {"coupling", level.coupling}};
 }
 
-Json process_json(const surrogate::GaussianProcess& process, const SearchProblem& problem) {
+/// Values that the metric can have: a normal distribution knows no ends.
+Json possible_json(const Eigen::VectorXd& values, const bayesian::Metric& metric) {
+  return vector_json(values.cwiseMax(metric.least).cwiseMin(metric.greatest));
+}
+
+Json process_json(const surrogate::GaussianProcess& process, const SearchProblem& problem,
+                  const bayesian::Metric& metric) {
   const surrogate::Parameters& parameters = process.parameters();
   Json json;
   json["transform"] = {{"kind", transform_name(parameters.transform.kind)},
@@ -108,10 +114,12 @@ Json process_json(const surrogate::GaussianProcess& process, const SearchProblem
                   {"values", vector_json(process.data().values)},
                   {"levels", process.data().levels}};
   const surrogate::LeaveOneOut left_out = process.leave_one_out();
-  json["leave_one_out"] = {
-      {"mean", vector_json(left_out.mean)},      {"lower_95", vector_json(left_out.lower)},
-      {"upper_95", vector_json(left_out.upper)}, {"residual", vector_json(left_out.residual)},
-      {"q_squared", left_out.q_squared},         {"coverage_95", left_out.coverage_95}};
+  json["leave_one_out"] = {{"mean", possible_json(left_out.mean, metric)},
+                           {"lower_95", possible_json(left_out.lower, metric)},
+                           {"upper_95", possible_json(left_out.upper, metric)},
+                           {"residual", vector_json(left_out.residual)},
+                           {"q_squared", left_out.q_squared},
+                           {"coverage_95", left_out.coverage_95}};
   return json;
 }
 
@@ -128,7 +136,9 @@ Json metric_json(const SearchProblem& problem, std::size_t metric,
   json["statistic"] = statistic_name(what.quantity.statistic);
   json["quantile"] = what.quantity.quantile;
   json["high_is_good"] = what.quantity.high_is_good;
-  json["surrogate"] = process == nullptr ? Json(nullptr) : process_json(*process, problem);
+  json["surrogate"] = process == nullptr
+                          ? Json(nullptr)
+                          : process_json(*process, problem, problem.problem.metrics[metric]);
   return json;
 }
 

@@ -8,6 +8,7 @@
 #include "parapet/records/evaluation_log.hpp"
 #include "parapet/records/folder_lock.hpp"
 #include "parapet/study/design_run.hpp"
+#include "parapet/study/predicted.hpp"
 #include "parapet/study/scoring.hpp"
 #include "parapet/study/simulator.hpp"
 #include "parapet/study/thread_count.hpp"
@@ -138,10 +139,11 @@ class Confirmation {
   bool cancelled_ = false;
 };
 
-Verdict verdict(const Pick& pick, const records::EvaluationLog& log) {
+Verdict verdict(const designs::StudySpec& study, const Pick& pick,
+                const records::EvaluationLog& log) {
   std::vector<ConfirmationRun> runs;
   for (const EvaluationRecord& record : log.records()) {
-    runs.push_back({record.id, record.stage, record.ok && record.feasible});
+    runs.push_back(confirmation_run(study, pick, record));
   }
   return verdict_of(pick.id, runs);
 }
@@ -207,8 +209,8 @@ ConfirmOutcome confirm_picks(const designs::StudySpec& study, const std::vector<
     outcome.simulated += confirmation.run(runs);
     outcome.cancelled = confirmation.cancelled();
     if (outcome.cancelled) return outcome;
-    if (verdict(pick, log) != Verdict::refuted) {
-      if (verdict(pick, log) == Verdict::confirmed) outcome.confirmed = pick.id;
+    if (verdict(study, pick, log) != Verdict::refuted) {
+      if (verdict(study, pick, log) == Verdict::confirmed) outcome.confirmed = pick.id;
       return outcome;
     }
     outcome.refuted.push_back(pick.id);

@@ -104,7 +104,7 @@ TEST_F(Advice, EstimatesStandBesideWhatWasSimulated) {
   EXPECT_EQ(result.recommended->estimates[1].estimate.median, 0.12);
   EXPECT_EQ(result.recommended->probability_feasible, 0.9);
   EXPECT_FALSE(result.front[0].probability_feasible.has_value());
-  EXPECT_TRUE(says(result, "surrogate 0.12 (0.1004 to 0.1396)")) << recommendation_text(result);
+  EXPECT_TRUE(says(result, "| 0.12 (0.1004 to 0.1396) |")) << recommendation_text(result);
   EXPECT_TRUE(says(result, "within the interval"));
 }
 
@@ -128,7 +128,7 @@ TEST_F(Advice, AConfirmedPickStatesItsScatter) {
   EXPECT_EQ(spread.greatest, 0.92);
   EXPECT_EQ(spread.runs, 3);
   EXPECT_NEAR(spread.standard_deviation, 0.02, 1e-12);  // of 0.90, 0.92, 0.88
-  EXPECT_TRUE(says(result, "**Confirmed**"));
+  EXPECT_TRUE(says(result, "**Confirmed by 2 further runs**")) << recommendation_text(result);
 }
 
 TEST_F(Advice, ARunOutsideTheRulesLimitsIsSaid) {
@@ -163,8 +163,8 @@ TEST_F(Advice, ThreeRefutedPicksAreSaidToBeSo) {
   EXPECT_EQ(id(result), "0002");
   EXPECT_EQ(result.confirmation->verdict, study::Verdict::refuted);
   EXPECT_EQ(result.confirmation->refuted.size(), 3U);
-  EXPECT_TRUE(says(result, "**Not confirmed.**"));
-  EXPECT_TRUE(says(result, "it did not hold"));
+  EXPECT_TRUE(says(result, "**Not confirmed**: the 3 designs tried"));
+  EXPECT_TRUE(says(result, "did not hold"));
 }
 
 TEST(Verdict, CountsNearDesignsAndSpacingsApart) {

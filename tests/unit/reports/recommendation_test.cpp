@@ -112,7 +112,7 @@ TEST_F(Study, AConstraintNearItsLimitIsActive) {
   add(45.0, 0.15, 0.8, 0.296, "start");  // 1.3 % of the limit left; active is below 2 %
   const Recommendation result = recommend(study_);
   EXPECT_TRUE(result.recommended->design.constraints[0].active);
-  EXPECT_TRUE(says(result, "at its limit: launch length"));
+  EXPECT_TRUE(says(result, "| active |"));
 }
 
 TEST_F(Study, AnAbsentMetricHasNoMarginButHolds) {
@@ -252,7 +252,8 @@ TEST_F(Study, CaveatsTellOfWhatIsNotFinished) {
   EXPECT_FALSE(result.study.log_complete);
   EXPECT_TRUE(says(result, "The last line of the log is not complete"));
   EXPECT_TRUE(says(result, "its state is \"running\""));
-  EXPECT_TRUE(says(result, "1 of 1 designs, the recommended one among them, ended at the stop"));
+  EXPECT_TRUE(
+      says(result, "1 of 1 runs, that of the recommended design among them, ended at the stop"));
 }
 
 TEST_F(Study, SaysWhenADesignLiesAtABound) {
@@ -271,7 +272,7 @@ TEST_F(Study, IsWrittenAsJson) {
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   EXPECT_EQ(keys,
             (std::vector<std::string>{
-                "format", "study", "rule", "feasible", "recommended", "confirmation",
+                "format", "study", "page_one", "rule", "feasible", "recommended", "confirmation",
                 "least_violating", "front", "leaving", "hypervolume", "improvement", "alternatives",
                 "effects", "sensitivity", "failed", "caveats", "reproduce", "definitions"}));
   EXPECT_EQ(json["format"], "parapet-recommendation/1");

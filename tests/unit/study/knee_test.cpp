@@ -47,6 +47,20 @@ TEST(Knee, EndsThatSpanNoPlaneAreSaid) {
   EXPECT_NEAR(knee.distance[2], 1.0 - 0.5, 1e-12) << "its worst objective is half way";
 }
 
+TEST(Knee, AStraightFrontHasNoneAndABentOneHas) {
+  // On the line but for 0.02: the balanced design is taken, in the middle.
+  const Points straight{{0, 1}, {0.2, 0.78}, {0.52, 0.5}, {0.8, 0.18}, {1, 0}};
+  EXPECT_LT(bulge_of(knee_of(straight)), least_bulge);
+  EXPECT_EQ(largest_objectives(straight), (std::vector<double>{1, 0.78, 0.52, 0.8, 1}));
+  EXPECT_EQ(default_pick(straight), 2U);
+  // The same with one design far towards the ideal, not in the middle.
+  const Points bent{{0, 1}, {0.1, 0.3}, {0.52, 0.28}, {0.8, 0.18}, {1, 0}};
+  EXPECT_NEAR(bulge_of(knee_of(bent)), (1.0 - 0.1 - 0.3) / std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(default_pick(bent), 1U);
+  // Two designs are both ends: nothing lies between them.
+  EXPECT_EQ(bulge_of(knee_of({{0, 1}, {1, 0}})), 0.0);
+}
+
 TEST(Knee, OnePointIsItsOwnKnee) {
   const Knee knee = knee_of({{2.0, 5.0}});
   EXPECT_TRUE(std::isfinite(knee.distance[0]));

@@ -34,6 +34,20 @@ TEST_F(Pick, KneeIsTheDefaultAndTheFrontHoldsOnlyWhatCounts) {
   EXPECT_EQ(choice.knee->ends, (std::vector<std::size_t>{0, 3}));
 }
 
+TEST_F(Pick, AStraightFrontIsBalanced) {
+  add(0.20, 30.0, 0.90, 0.30);
+  add(0.18, 20.0, 0.80, 0.21);
+  add(0.15, 20.0, 0.68, 0.08);
+  add(0.12, 10.0, 0.60, 0.00);
+  const Choice choice = study::choose(study_, {});
+  EXPECT_TRUE(choice.no_knee);
+  EXPECT_EQ(choice.kind, study::RuleKind::balanced);
+  // Scaled: 0002 is at (0.33, 0.7), 0003 at (0.73, 0.27).
+  EXPECT_EQ(choice.ranked.front().design->id, "0002");
+  EXPECT_FALSE(study::choose(study_, parse_pick_rule("balanced", "", {})).no_knee)
+      << "nobody asked for a knee";
+}
+
 TEST_F(Pick, WeightsAreOverTheRangesOfTheFront) {
   add_front();
   // Reach alone: its end. Retention ten times as much: its end. Names of objectives or metrics.

@@ -8,6 +8,7 @@
 
 #include "parapet/reports/design_report.hpp"
 #include "parapet/study/confirmation.hpp"
+#include "parapet/study/expected.hpp"
 #include "parapet/study/loaded_study.hpp"
 #include "parapet/study/pick_rule.hpp"
 
@@ -17,6 +18,8 @@ namespace parapet::reports {
 struct SpacingCount {
   double spacing = 0.0;  ///< particle spacing [m]
   int designs = 0;       ///< that were simulated at it
+  int feasible = 0;      ///< of these, that meet every constraint there
+  int failed = 0;        ///< of these
 };
 
 /// What was studied, and how much was simulated for it.
@@ -24,8 +27,8 @@ struct StudyFacts {
   std::string folder;
   designs::StudySpec spec;
   std::vector<ObjectiveTerms> objectives;
-  int evaluations = 0, failed = 0;
-  int feasible = 0;  ///< designs that meet every constraint, at any spacing
+  int evaluations = 0, failed = 0;  ///< designs, counted once at each spacing
+  int feasible = 0;                 ///< likewise, that meet every constraint
   int simulations = 0;
   double cpu_time = 0.0;  ///< [s]; 0: not known
   bool log_complete = true;
@@ -33,21 +36,41 @@ struct StudyFacts {
   std::vector<SpacingCount> spacings;
 };
 
+/// A design that the data cannot tell from the one that the rule puts first.
+struct TiedDesign {
+  std::string id;
+  double share = 0.0;            ///< of the draws in which the rule takes it
+  std::optional<double> margin;  ///< see study::margin_in_uncertainties
+  std::optional<double> probability_feasible;
+};
+
 /// How the design was chosen.
 struct RuleFacts {
   study::RuleKind kind = study::RuleKind::best;  ///< never automatic
   std::vector<study::ObjectiveLimit> limits;
-  std::string words;          ///< the rule, for a reader
-  bool all_doubtful = false;  ///< no design that it allows is likely to meet the constraints
-  bool allows_none = false;   ///< designs meet the constraints, and none of them its limits
+  std::string words;                 ///< the rule, for a reader
+  bool all_doubtful = false;         ///< no design that it allows is likely to meet the constraints
+  bool allows_none = false;          ///< designs meet the constraints, and none of them its limits
+  std::optional<double> share;       ///< of the draws of the front in which the rule takes this one
+  int draws = 0;                     ///< of the surrogates' posterior; 0: there is none
+  std::optional<double> bulge;       ///< rule knee: how far the knee is from the front's line
+  bool no_knee = false;              ///< a knee was asked for, and the front has none
+  std::optional<double> knee_share;  ///< of the draws in which it has one
+  std::string first_by_rule;         ///< id, before ties were settled
+  std::vector<TiedDesign> ties = {};  ///< with that one, the recommended design left out
 };
 
 /// The design that the rule picks.
 struct RecommendedDesign {
   DesignReport design;
   std::vector<ObjectiveEstimate> estimates;
-  std::optional<double> probability_feasible;  ///< by the surrogate
+  std::optional<double> probability_feasible;  ///< that a repeat meets every constraint
   std::optional<double> probability_limits;    ///< that it meets the rule's limits
+  /// What a repeat would give: objectives, limits of constraints on metrics, design loads.
+  std::vector<study::Expectation> repeat = {};
+  double repeat_spacing = 0.0;           ///< at which these runs were made [m]
+  std::optional<double> margin = {};     ///< see study::margin_in_uncertainties, of the prediction
+  std::vector<std::string> sketch = {};  ///< its barriers in characters
 };
 
 /// A simulation of the recommended design at another spacing, or of a design very near to it.
@@ -60,6 +83,7 @@ struct ConfirmingRun {
   bool feasible = false;
   std::vector<std::optional<double>> objectives;  ///< [n_objectives]
   std::vector<std::string> violated;              ///< names of constraints
+  std::vector<std::string> worse = {};            ///< objectives that are worse than was predicted
 };
 
 /// How far a quantity moves between the design and those near to it.
@@ -73,7 +97,8 @@ struct Spread {
 /// A design that the rule prefers and that did not hold.
 struct RefutedDesign {
   std::string id;
-  std::vector<std::string> violated;  ///< names of constraints; empty: a simulation failed
+  std::vector<std::string> violated;    ///< names of constraints
+  std::vector<std::string> worse = {};  ///< objectives worse than predicted; both empty: it failed
 };
 
 /// What simulating the recommended design again has shown.
@@ -82,6 +107,8 @@ struct Confirmation {
   std::vector<ConfirmingRun> runs;  ///< by id
   std::vector<Spread> spread;
   std::vector<RefutedDesign> refuted;  ///< in the rule's order
+  bool constraints_tested = true;      ///< a constraint needs a simulation
+  bool objectives_tested = false;      ///< surrogates predicted objectives of these runs
 };
 
 /// The design that comes nearest to meeting every constraint.
@@ -96,8 +123,9 @@ struct FrontDesign {
   WrittenDesign design;
   std::vector<ObjectiveEstimate> objectives;
   std::optional<double> probability_feasible, probability_limits;
-  bool within_limits = true;  ///< of the rule, as observed
-  double score = 0.0;         ///< by the rule; less is better
+  bool within_limits = true;         ///< of the rule, as observed
+  double score = 0.0;                ///< by the rule; less is better
+  std::optional<double> share = {};  ///< of the draws in which the rule takes it
 };
 
 /// A step along the front.

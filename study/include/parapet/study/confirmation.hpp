@@ -20,18 +20,21 @@ constexpr int most_confirmed_designs = 3;
 struct ConfirmationRun {
   std::string id;  ///< PICK-finest, PICK-2.5mm, PICK-near-1, ...
   std::string stage;
-  bool feasible = false;  ///< ended well and met every constraint
+  bool feasible = false;     ///< ended well and met every constraint
+  bool as_predicted = true;  ///< no objective is worse than its prediction's 95 % interval
+  bool tested = true;        ///< a constraint or a prediction could have failed
 };
 
 /// What the further simulations say of a design.
 enum class Verdict {
-  none,       ///< nothing was simulated again
+  none,       ///< nothing was simulated again, or nothing could be tested by it
   confirmed,  ///< the design held wherever it was simulated again, and most near designs did
   refuted
 };
 
-/// A design is refuted when it fails or breaks a constraint at another spacing, or when more than
-/// half of the designs near to it do.
+/// A design is refuted when it fails, breaks a constraint or is worse than predicted at another
+/// spacing, or when more than half of the designs near to it do. Runs that could test nothing (no
+/// constraint needs a simulation, and nothing was predicted) confirm nothing.
 Verdict verdict_of(const std::string& pick_id, const std::vector<ConfirmationRun>& runs);
 
 /// Whether a line with this id is about the design `pick_id`.

@@ -33,4 +33,19 @@ struct Knee {
 /// @param front [n][n_objectives], n >= 1, non-dominated, to be minimised
 Knee knee_of(const std::vector<std::vector<double>>& front);
 
+/// A front has a knee where one of its designs is at least so far from the plane through its ends,
+/// in normalised units. A straight front has 0, a quarter of a circle 0.29 of 0.71 at most.
+constexpr double least_bulge = 0.1;
+
+/// The largest distance, where it is one from a plane through the ends; else 0.
+double bulge_of(const Knee& knee);
+
+/// The largest normalised objective of each design [n]: the design with the least is the balanced
+/// one, which a straight front has too.
+std::vector<double> largest_objectives(const std::vector<std::vector<double>>& front);
+
+/// What `parapet recommend` takes of a front where it is told nothing: the knee, or the balanced
+/// design where there is none.
+std::size_t default_pick(const std::vector<std::vector<double>>& front);
+
 }  // namespace parapet::study

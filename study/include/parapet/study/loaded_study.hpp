@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,6 +14,8 @@
 #include "parapet/study/stored_front.hpp"
 
 namespace parapet::study {
+
+class StudySurrogates;
 
 /// A study folder, read as types.
 struct LoadedStudy {
@@ -32,6 +35,7 @@ struct LoadedStudy {
   std::optional<Sensitivity> sensitivity = {};                ///< sensitivity.json
   /// Ids of designs with a simulation that ended at the stop time, before the flow had settled.
   std::set<std::string> unsettled = {};
+  std::shared_ptr<const StudySurrogates> surrogates = {};  ///< surrogates.json; null without
 };
 
 /// Reads study.json and evaluations.jsonl, and what else is there; changes nothing. A half-written

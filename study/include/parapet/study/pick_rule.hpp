@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/study/repeat.hpp"
 
 namespace parapet::study {
 
 /// How one design is picked from those that were found.
 enum class RuleKind {
-  automatic,  ///< best for one objective, knee for several
+  automatic,  ///< best for one objective; of several the knee, else balanced
   best,       ///< lowest objective_scalar: the spec's weighted sum where there are several
   knee,       ///< farthest from the plane through the ends of the front
   weights,    ///< lowest weighted sum, each objective over its range on the front
-  limits      ///< best first objective among the designs that meet limits on objectives
+  limits,     ///< best first objective among the designs that meet limits on objectives
+  balanced    ///< least of the largest normalised objective; also where there is no knee
 };
 
 /// A rule's name on the command line.
@@ -54,7 +56,10 @@ struct Pick {
   std::string id;
   designs::Design design;
   double spacing = 0.0;                        ///< at which it was observed [m]; 0: not known
-  std::optional<double> probability_feasible;  ///< by the surrogate
+  std::optional<double> probability_feasible;  ///< that a repeat meets every constraint
+  /// What a run is predicted to give [n_objectives], by surrogates that have not seen it; empty
+  /// where there is none.
+  std::vector<std::optional<RepeatEstimate>> predicted = {};
 };
 
 }  // namespace parapet::study
