@@ -67,7 +67,9 @@ def main(workers: str = "200", seconds: str = "10", algorithm: str = "BAYESIAN",
     }
     outcome = worker.run_task(json.dumps(task))
     designs = 5 * count // n_events  # about five rounds of all workers
-    objectives = [one for one in study.spec["objectives"] if "launch" not in one.get("metric", "")]
+    objectives = [one for one in study.spec["objectives"] if "retention" in one.get("metric", "")]
+    heights = "upstream_height_m + downstream_height_m"
+    objectives.append({"name": "total_height_m", "expression": heights, "goal": "minimize"})
     study = study.changed(
         name="asker", recordings="none", objectives=objectives, method={"algorithm": algorithm, "max_evaluations": designs},
         **({"scenarios": scenarios} if n_events > 1 else {}),

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "findings.hpp"
 #include "formula_grammar.hpp"
@@ -28,8 +30,7 @@ class BoundExpression {
 };
 
 ExpressionProblem parser_problem(const std::string& expression, const mu::ParserError& error,
-                                 const std::vector<std::string>& names) {
-  const std::string known = "a formula of " + joined(names);
+                                 const std::vector<std::string>& names, const std::string& known) {
   const std::size_t character = static_cast<std::size_t>(std::max(error.GetPos(), 0)) + 1;
   const std::string place =
       " at character " + std::to_string(std::min(character, expression.size() + 1));
@@ -44,10 +45,55 @@ ExpressionProblem parser_problem(const std::string& expression, const mu::Parser
   return {"cannot be read" + place + ": " + message, known};
 }
 
+/// Calls f(begin, length) for each name; the e of 1e-3 is none.
+template <typename F>
+void for_each_name(const std::string& expression, const F& f) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  const auto digit = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+  std::size_t at = 0;
+  while (at < expression.size()) {
+    const std::size_t begin = at;
+    if (letter(expression[at])) {
+      while (at < expression.size() && (letter(expression[at]) || digit(expression[at]))) ++at;
+      f(begin, at - begin);
+    } else if (digit(expression[at])) {
+      while (at < expression.size() && digit(expression[at])) ++at;
+      if (at < expression.size() && (expression[at] == 'e' || expression[at] == 'E')) ++at;
+    } else {
+      ++at;
+    }
+  }
+}
+
 }  // namespace
 
+std::vector<std::string> names_in(const std::string& expression) {
+  std::vector<std::string> names;
+  for_each_name(expression, [&](std::size_t begin, std::size_t length) {
+    std::string name = expression.substr(begin, length);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  });
+  return names;
+}
+
+std::string with_names_replaced(const std::string& expression,
+                                const std::map<std::string, std::string>& replacements) {
+  std::string result;
+  std::size_t written = 0;
+  for_each_name(expression, [&](std::size_t begin, std::size_t length) {
+    const auto found = replacements.find(expression.substr(begin, length));
+    if (found == replacements.end()) return;
+    result.append(expression, written, begin - written).append("(" + found->second + ")");
+    written = begin + length;
+  });
+  return result.append(expression, written);
+}
+
 ExpressionProblem expression_problem(const std::string& expression,
-                                     const std::vector<std::string>& names) {
+                                     const std::vector<std::string>& names, std::string known) {
+  if (known.empty()) known = "a formula of " + joined(names);
   // muParser takes more than anybody means: a = 0.1 as an assignment, 0,5 as a list of which the
   // last entry counts, a <= 0.1 as 0 or 1.
   ExpressionProblem unmeant = grammar_problem(expression);
@@ -59,10 +105,10 @@ ExpressionProblem expression_problem(const std::string& expression,
     bound.value();
     if (!unmeant.problem.empty()) return unmeant;
     if (!bound.uses_any()) {
-      return {"does not depend on any variable", "a formula of " + joined(names)};
+      return {"does not depend on any variable", known};
     }
   } catch (const mu::ParserError& error) {
-    return is_comma ? unmeant : parser_problem(expression, error, names);
+    return is_comma ? unmeant : parser_problem(expression, error, names, known);
   }
   return {};
 }
@@ -77,7 +123,8 @@ double evaluate_expression(const std::string& expression, const Design& design) 
   } catch (const mu::ParserError& error) {
     std::vector<std::string> names;
     for (const auto& [name, value] : design) names.push_back(name);
-    const ExpressionProblem found = parser_problem(expression, error, names);
+    const ExpressionProblem found =
+        parser_problem(expression, error, names, "a formula of " + joined(names));
     throw fail(found.problem, found.allowed);
   }
   std::string values;
@@ -85,6 +132,44 @@ double evaluate_expression(const std::string& expression, const Design& design) 
     values += (values.empty() ? "" : ", ") + name + " = " + Json(value).dump();
   }
   throw fail("has no finite value at " + values, "a formula with a value for every design");
+}
+
+struct Formula::Parser {
+  std::vector<double> values;
+  mu::Parser parser;
+};
+
+Formula::Formula(const std::string& expression, const std::vector<std::string>& names)
+    : parser_(std::make_unique<Parser>()) {
+  parser_->values.assign(names.size(), 1.0);
+  try {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      parser_->parser.DefineVar(names[k], &parser_->values[k]);
+    }
+    parser_->parser.SetExpr(expression);
+    parser_->parser.Eval();
+  } catch (const mu::ParserError& error) {
+    const ExpressionProblem found =
+        parser_problem(expression, error, names, "a formula of " + joined(names));
+    throw InputError({{"", "", "\"" + expression + "\"", found.problem, found.allowed}});
+  }
+}
+
+Formula::~Formula() = default;
+Formula::Formula(Formula&&) noexcept = default;
+Formula& Formula::operator=(Formula&&) noexcept = default;
+
+double Formula::value(const std::vector<double>& values) {
+  if (values.size() != parser_->values.size()) {
+    throw std::invalid_argument("a formula of " + std::to_string(parser_->values.size()) +
+                                " values is given " + std::to_string(values.size()));
+  }
+  std::copy(values.begin(), values.end(), parser_->values.begin());
+  try {
+    return parser_->parser.Eval();
+  } catch (const mu::ParserError&) {  // such as a division by 0, where muParser reports it
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 }  // namespace parapet::designs

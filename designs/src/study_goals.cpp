@@ -1,7 +1,9 @@
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "study_parts.hpp"
+#include "study_terms.hpp"
 #include "words.hpp"
 
 namespace parapet::designs {
@@ -17,6 +19,11 @@ Statistic read_statistic(const Json& json) {
   if (word == "mean") return Statistic::mean;
   if (word == "worst") return Statistic::worst;
   return word == "quantile" ? Statistic::quantile : Statistic::probability;
+}
+
+std::map<std::string, double> read_values_when_absent(const Json& json) {
+  if (!json.contains("values_when_absent")) return {};
+  return json.at("values_when_absent").get<std::map<std::string, double>>();
 }
 
 /// The size of the limit: violations of limits of different units then compare.
@@ -42,6 +49,7 @@ Objective read_objective(const Json& json) {
   objective.lower = optional_number(json, "lower");
   objective.upper = optional_number(json, "upper");
   objective.reference = optional_number(json, "reference");
+  objective.values_when_absent = read_values_when_absent(json);
   return objective;
 }
 
@@ -58,39 +66,35 @@ Constraint read_constraint(const Json& json) {
   constraint.value_when_absent = optional_number(json, "value_when_absent");
   constraint.statistic = read_statistic(json);
   constraint.quantile = json.at("quantile").get<double>();
+  constraint.values_when_absent = read_values_when_absent(json);
   return constraint;
 }
 
 /// Objectives and constraints alike: either a metric or an expression, and what that allows.
 class GoalCheck {
  public:
-  GoalCheck(const Metrics& metrics, const std::vector<Variable>& variables, Findings& findings)
-      : metrics_(metrics), findings_(findings) {
-    for (const Variable& variable : variables) names_.push_back(variable.name);
-  }
+  GoalCheck(const Metrics& metrics, const std::vector<Variable>& variables,
+            const std::vector<Term>& terms, Findings& findings)
+      : metrics_(metrics), symbols_(metrics, variables, terms), findings_(findings) {}
 
-  /// False when there is nothing more to say.
+  /// Writes an expression out. False when there is nothing more to say.
   template <typename Goal>
-  bool check_subject(const Goal& goal, const std::string& pointer, const std::string& verb) {
+  bool check_subject(Goal& goal, const std::string& pointer, const std::string& verb) {
     if (goal.metric.empty() == goal.expression.empty()) {
       findings_.add(pointer, verb + (goal.metric.empty() ? " nothing" : " two things"),
                     "either a metric or an expression");
       return false;
     }
-    if (!goal.metric.empty()) {
-      return metrics_.has(goal.metric, pointer + "/metric", findings_);
-    }
-    const auto [problem, allowed] = expression_problem(goal.expression, names_);
-    if (!problem.empty()) findings_.add(pointer + "/expression", problem, allowed);
-    if (goal.statistic != Goal{}.statistic) {
-      findings_.add(pointer + "/statistic", "has no use: an expression is the same in every event",
-                    "no statistic, or a metric");
-    }
-    if (goal.value_when_absent) {
-      findings_.add(pointer + "/value_when_absent", "has no use: an expression has a value always",
-                    "no such value, or a metric");
-    }
-    return problem.empty();
+    if (!goal.metric.empty()) return check_metric(goal, pointer);
+    WrittenOut out =
+        symbols_.read(goal.expression, goal.values_when_absent,
+                      {.goal = pointer, .expression = pointer + "/expression"}, findings_);
+    const bool sound = !out.formula.empty();
+    goal.formula = std::move(out.formula);
+    goal.metrics = std::move(out.metrics);
+    goal.values_when_absent = std::move(out.values_when_absent);
+    if (sound) check_use(goal, pointer);
+    return sound;
   }
 
   void check_limits(std::optional<double> lower, std::optional<double> upper,
@@ -103,12 +107,41 @@ class GoalCheck {
   }
 
  private:
+  template <typename Goal>
+  bool check_metric(const Goal& goal, const std::string& pointer) {
+    if (!goal.values_when_absent.empty()) {
+      findings_.add(pointer + "/values_when_absent", "has no use without an expression",
+                    "value_when_absent: a number");
+    }
+    return metrics_.has(goal.metric, pointer + "/metric", findings_);
+  }
+
+  /// What an expression has no use for.
+  template <typename Goal>
+  void check_use(const Goal& goal, const std::string& pointer) {
+    if (goal.is_of_design() && goal.statistic != Goal{}.statistic) {
+      findings_.add(pointer + "/statistic",
+                    "has no use: without a metric an expression is the same in every event",
+                    "no statistic, or an expression with a metric");
+    }
+    if (!goal.value_when_absent) return;
+    if (goal.is_of_design()) {
+      findings_.add(pointer + "/value_when_absent",
+                    "has no use: without a metric an expression has a value always",
+                    "no such value, or an expression with a metric");
+    } else {
+      findings_.add(pointer + "/value_when_absent",
+                    "has no use: the values belong to the metrics of the expression",
+                    "values_when_absent: a number for each of " + joined(goal.metrics));
+    }
+  }
+
   const Metrics& metrics_;
+  Symbols symbols_;
   Findings& findings_;
-  std::vector<std::string> names_;
 };
 
-void check_objective(const Objective& objective, const Metrics& metrics, const std::string& pointer,
+void check_objective(Objective& objective, const Metrics& metrics, const std::string& pointer,
                      GoalCheck& check, Findings& findings) {
   const bool sound = check.check_subject(objective, pointer, "asks for");
   if (sound && !objective.metric.empty() && metrics.may_not_exist(objective.metric) &&
@@ -129,8 +162,9 @@ void check_objective(const Objective& objective, const Metrics& metrics, const s
 }  // namespace
 
 std::vector<Objective> read_objectives(const Json& json, const Metrics& metrics,
-                                       const std::vector<Variable>& variables, Findings& findings) {
-  GoalCheck check(metrics, variables, findings);
+                                       const std::vector<Variable>& variables,
+                                       const std::vector<Term>& terms, Findings& findings) {
+  GoalCheck check(metrics, variables, terms, findings);
   std::vector<Objective> objectives;
   std::set<std::string> seen;
   for (std::size_t k = 0; k < json.size(); ++k) {
@@ -151,13 +185,13 @@ std::vector<Objective> read_objectives(const Json& json, const Metrics& metrics,
 
 std::vector<Constraint> read_constraints(const Json& json, const Metrics& metrics,
                                          const std::vector<Variable>& variables,
-                                         Findings& findings) {
-  GoalCheck check(metrics, variables, findings);
+                                         const std::vector<Term>& terms, Findings& findings) {
+  GoalCheck check(metrics, variables, terms, findings);
   std::vector<Constraint> constraints;
   std::set<std::string> seen;
   for (std::size_t k = 0; k < json.size(); ++k) {
     const std::string pointer = child_pointer("/constraints", k);
-    const Constraint constraint = read_constraint(json[k]);
+    Constraint constraint = read_constraint(json[k]);
     if (constraint.metric.empty() == constraint.expression.empty()) {
       check.check_subject(constraint, pointer, "limits");
       continue;
@@ -168,7 +202,7 @@ std::vector<Constraint> read_constraints(const Json& json, const Metrics& metric
       findings.add(pointer, "another constraint is called \"" + constraint.name + "\" too",
                    "a name of its own, in the key name");
     }
-    constraints.push_back(constraint);
+    constraints.push_back(std::move(constraint));
   }
   return constraints;
 }

@@ -42,6 +42,10 @@ bool Metrics::has(const std::string& key, const std::string& pointer, Findings& 
   return false;
 }
 
+bool Metrics::knows(const std::string& key) const {
+  return find(catalog_, key) != nullptr;
+}
+
 bool Metrics::may_not_exist(const std::string& key) const {
   const solver::MetricInfo* info = find(always_, key);
   return info == nullptr || info->may_not_exist;

@@ -19,6 +19,10 @@ class Metrics {
   /// False when there is no such metric; that is then added to the findings.
   bool has(const std::string& key, const std::string& pointer, Findings& findings) const;
 
+  /// Whether there is such a metric.
+  bool knows(const std::string& key) const;
+  const std::vector<std::string>& keys() const { return keys_; }
+
   /// Whether a run may end without a value: by the metric's nature, or because its barrier does not
   /// exist under every combination.
   bool may_not_exist(const std::string& key) const;

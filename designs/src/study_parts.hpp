@@ -22,17 +22,31 @@ struct VariableReading {
 };
 VariableReading read_variables(const Json& json, const Json& resolved_case, Findings& findings);
 
+/// The terms, written out, in the order of their names; those that are wrong are left out.
+std::vector<Term> read_terms(const Json& json, const Metrics& metrics,
+                             const std::vector<Variable>& variables, Findings& findings);
+
 std::vector<Objective> read_objectives(const Json& json, const Metrics& metrics,
-                                       const std::vector<Variable>& variables, Findings& findings);
+                                       const std::vector<Variable>& variables,
+                                       const std::vector<Term>& terms, Findings& findings);
 
 std::vector<Constraint> read_constraints(const Json& json, const Metrics& metrics,
                                          const std::vector<Variable>& variables,
-                                         Findings& findings);
+                                         const std::vector<Term>& terms, Findings& findings);
 
-/// A list of events, or one drawn from distributions. Precondition: at least one combination.
-std::vector<Scenario> read_scenarios(const Json& json, const std::vector<Variable>& variables,
-                                     const std::vector<Combination>& combinations,
-                                     Findings& findings);
+/// A list of events, or one drawn from distributions, with what differs between the drawn ones.
+struct ScenarioReading {
+  std::vector<Scenario> scenarios;
+  std::vector<EventVariable> variables;
+};
+
+/// Adds what is wrong with quantiles over so few events that these do not bound them. Distributions
+/// are no issue to a search with surrogates, which states the quantile over many more events.
+void check_quantiles(const StudySpec& study, Findings& findings);
+
+/// Precondition: at least one combination.
+ScenarioReading read_scenarios(const Json& json, const std::vector<Variable>& variables,
+                               const std::vector<Combination>& combinations, Findings& findings);
 
 /// Nothing, with findings, when it is not sound.
 std::optional<Distribution> read_distribution(const Json& json, const std::string& pointer,
@@ -59,7 +73,15 @@ struct ExpressionProblem {
   std::string problem;
   std::string allowed;
 };
+/// @param known what the message calls the names; default: lists them all
 ExpressionProblem expression_problem(const std::string& expression,
-                                     const std::vector<std::string>& names);
+                                     const std::vector<std::string>& names, std::string known = "");
+
+/// The names in an expression, each once, in the order in which they come first.
+std::vector<std::string> names_in(const std::string& expression);
+
+/// The expression with each name replaced by what is given for it, in brackets.
+std::string with_names_replaced(const std::string& expression,
+                                const std::map<std::string, std::string>& replacements);
 
 }  // namespace parapet::designs

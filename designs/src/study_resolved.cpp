@@ -93,6 +93,18 @@ Json subject_json(const Goal& goal) {
   } else {
     json["metric"] = goal.metric;
   }
+  if (!goal.values_when_absent.empty()) json["values_when_absent"] = goal.values_when_absent;
+  return json;
+}
+
+Json terms_json(const std::vector<Term>& terms) {
+  Json json = Json::object();
+  for (const Term& term : terms) {
+    json[term.name] = term.expression;
+    if (term.values_when_absent.empty()) continue;
+    json[term.name] = {{"expression", term.expression},
+                       {"values_when_absent", term.values_when_absent}};
+  }
   return json;
 }
 
@@ -181,17 +193,20 @@ Json method_json(const StudySpec& study) {
 }  // namespace
 
 Json resolve_study(const StudySpec& study, const Json& scenarios) {
-  return {{"format", "parapet-study/1"},
-          {"name", study.name},
-          {"description", study.description},
-          {"case", study.base_case},
-          {"variables", variables_json(study.variables)},
-          {"objectives", objectives_json(study.objectives)},
-          {"constraints", constraints_json(study.constraints)},
-          {"scenarios", scenarios_json(study.scenarios, scenarios)},
-          {"fidelity", fidelity_json(study.fidelity)},
-          {"method", method_json(study)},
-          {"recordings", word(study.recordings)}};
+  Json json{{"format", "parapet-study/1"},
+            {"name", study.name},
+            {"description", study.description},
+            {"case", study.base_case},
+            {"variables", variables_json(study.variables)},
+            {"objectives", objectives_json(study.objectives)},
+            {"constraints", constraints_json(study.constraints)},
+            {"scenarios", scenarios_json(study.scenarios, scenarios)},
+            {"fidelity", fidelity_json(study.fidelity)},
+            {"method", method_json(study)},
+            {"recordings", word(study.recordings)}};
+  // Only where there are some: a study without any keeps its hash.
+  if (!study.terms.empty()) json["terms"] = terms_json(study.terms);
+  return json;
 }
 
 }  // namespace parapet::designs

@@ -169,8 +169,15 @@ std::vector<Scenario> read_list(const Json& json, const std::string& pointer, Ev
   return scenarios;
 }
 
+/// The values of one variable at some shares of its distribution.
+std::vector<double> values_at(const Distribution& distribution, const std::vector<double>& shares) {
+  std::vector<double> values;
+  for (const double share : shares) values.push_back(nine_digits(quantile(distribution, share)));
+  return values;
+}
+
 /// The events that the distributions give.
-std::vector<Scenario> draw_events(const Json& json, EventReader& reader, Findings& findings) {
+ScenarioReading draw_events(const Json& json, EventReader& reader, Findings& findings) {
   const Json& variables = json.at("variables");
   std::vector<std::string> keys;
   std::vector<Distribution> distributions;
@@ -191,7 +198,15 @@ std::vector<Scenario> draw_events(const Json& json, EventReader& reader, Finding
   const auto count = static_cast<std::size_t>(json.at("count").get<double>());
   const auto seed = static_cast<std::uint64_t>(json.at("seed").get<double>());
   const auto shares = latin_hypercube(count, keys.size(), seed);
-  std::vector<Scenario> scenarios(count);
+  // Another seed: events of which the simulated ones are no part.
+  const auto further = latin_hypercube(n_event_draws, keys.size(), 0x5eed0e7e5ULL + seed);
+  ScenarioReading result{.scenarios = std::vector<Scenario>(count), .variables = {}};
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    result.variables.push_back({.name = keys[k],
+                                .at = values_at(distributions[k], shares[k]),
+                                .draws = values_at(distributions[k], further[k])});
+  }
+  std::vector<Scenario>& scenarios = result.scenarios;
   for (std::size_t event = 0; event < count && findings.empty(); ++event) {
     Scenario& scenario = scenarios[event];
     scenario.name = "event_" + std::to_string(event + 1);
@@ -205,7 +220,7 @@ std::vector<Scenario> draw_events(const Json& json, EventReader& reader, Finding
                  child_pointer("/scenarios/variables", keys[k]));
     }
   }
-  return scenarios;
+  return result;
 }
 
 /// Whether a list is the one that was drawn, but for the last digits.
@@ -225,24 +240,25 @@ bool is_same_list(const std::vector<Scenario>& given, const std::vector<Scenario
 
 }  // namespace
 
-std::vector<Scenario> read_scenarios(const Json& json, const std::vector<Variable>& variables,
-                                     const std::vector<Combination>& combinations,
-                                     Findings& findings) {
+ScenarioReading read_scenarios(const Json& json, const std::vector<Variable>& variables,
+                               const std::vector<Combination>& combinations, Findings& findings) {
   // Counted apart: what is wrong elsewhere does not keep the events from being drawn.
   Findings own = findings.of_its_own();
   EventReader reader(variables, combinations, own);
-  std::vector<Scenario> scenarios =
-      json.is_array() ? read_list(json, "/scenarios", reader, own) : draw_events(json, reader, own);
+  ScenarioReading result =
+      json.is_array() ? ScenarioReading{.scenarios = read_list(json, "/scenarios", reader, own),
+                                        .variables = {}}
+                      : draw_events(json, reader, own);
   if (own.empty() && json.is_object() && json.contains("list")) {
     std::vector<Scenario> given = read_list(json.at("list"), "/scenarios/list", reader, own);
-    if (own.empty() && !is_same_list(given, scenarios)) {
+    if (own.empty() && !is_same_list(given, result.scenarios)) {
       own.add("/scenarios/list", "is not what the distributions give",
               "no list, so that it is drawn again, or the one that was drawn");
     }
-    scenarios = std::move(given);
+    result.scenarios = std::move(given);
   }
   findings.append(own.issues());
-  return scenarios;
+  return result;
 }
 
 }  // namespace parapet::designs

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "case_parts.hpp"
+#include "parapet/solver/metric_catalog.hpp"
 #include "study_choices.hpp"
 #include "study_parts.hpp"
 
@@ -83,28 +84,44 @@ Design sample_design(const std::vector<Variable>& variables, int k) {
   return design;
 }
 
+/// A value of a metric for a trial of a formula: the first is 1, the others anything positive.
+double sample_metric(const std::string& key, std::size_t place, int k) {
+  const auto info = solver::find_metric_info(key);
+  const double turn = std::sqrt(static_cast<double>(2 * place + 3));
+  const double share = std::fmod(1.0 + k * turn, 1.0);
+  const bool is_share = info && info->least == 0.0 && info->greatest == 1.0;
+  return is_share ? 1.0 - share : (k == 0 ? 1.0 : 10.0 * share);
+}
+
 /// Formulas that have a value nowhere, such as 1/(a - a).
 void check_formulas(const StudySpec& study, Findings& findings) {
   constexpr int samples = 200;
-  const auto check = [&](const std::string& expression, const std::string& pointer) {
-    if (expression.empty()) return;
+  const auto check = [&](const auto& goal, const std::string& pointer) {
+    if (goal.formula.empty()) return;
     for (int k = 0; k < samples; ++k) {
+      Design values = sample_design(study.variables, k);
+      for (std::size_t m = 0; m < goal.metrics.size(); ++m) {
+        values[goal.metrics[m]] = sample_metric(goal.metrics[m], m, k);
+      }
       try {
-        evaluate_expression(study, expression, sample_design(study.variables, k));
+        evaluate_expression(study, goal.formula, values);
         return;
       } catch (const InputError&) {
       }
     }
     findings.add(
-        pointer + "/expression",
+        pointer,
         "has no finite value at any of " + std::to_string(samples) + " designs between the bounds",
         "a formula with a value, such as one that does not divide by zero");
   };
+  for (const Term& term : study.terms) {
+    check(term, child_pointer("/terms", term.name));
+  }
   for (std::size_t k = 0; k < study.objectives.size(); ++k) {
-    check(study.objectives[k].expression, child_pointer("/objectives", k));
+    check(study.objectives[k], child_pointer("/objectives", k) + "/expression");
   }
   for (std::size_t k = 0; k < study.constraints.size(); ++k) {
-    check(study.constraints[k].expression, child_pointer("/constraints", k));
+    check(study.constraints[k], child_pointer("/constraints", k) + "/expression");
   }
 }
 
@@ -148,11 +165,18 @@ StudySpec parse_study(const Json& json, const std::string& file) {
   const bool variables_sound = findings.empty();
   if (combinations.empty()) combinations.push_back({{}, "", base->resolved});
   const Metrics metrics(combinations);
-  study.objectives = read_objectives(complete.at("objectives"), metrics, study.variables, findings);
-  study.constraints =
-      read_constraints(complete.at("constraints"), metrics, study.variables, findings);
-  study.scenarios =
+  const std::size_t before_terms = findings.size();
+  study.terms = read_terms(complete.at("terms"), metrics, study.variables, findings);
+  if (findings.size() == before_terms) {  // else each use of a wrong term would be found as well
+    study.objectives =
+        read_objectives(complete.at("objectives"), metrics, study.variables, study.terms, findings);
+    study.constraints = read_constraints(complete.at("constraints"), metrics, study.variables,
+                                         study.terms, findings);
+  }
+  ScenarioReading events =
       read_scenarios(complete.at("scenarios"), study.variables, combinations, findings);
+  study.scenarios = std::move(events.scenarios);
+  study.event_variables = std::move(events.variables);
   study.fidelity = read_fidelity(complete.at("fidelity"), base->resolved, metrics, findings);
   study.method = read_method(complete.at("method"),
                              variables_sound ? study.variables : std::vector<Variable>{}, findings);
@@ -163,6 +187,7 @@ StudySpec parse_study(const Json& json, const std::string& file) {
   if (findings.empty()) apply_fidelity(study, findings);
   if (findings.empty()) check_scenarios(study, findings);
   check_finest_runs(study, findings);
+  check_quantiles(study, findings);
   if (findings.empty()) check_formulas(study, findings);
   if (findings.empty()) check_starts(study, findings);
   findings.throw_if_any();

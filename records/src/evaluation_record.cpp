@@ -182,6 +182,7 @@ Json to_json(const EvaluationRecord& record) {
   for (const auto& constraint : record.constraints) {
     json["constraints"].push_back(to_json(constraint));
   }
+  for (const TermRecord& term : record.terms) json["terms"][term.name] = optional_json(term.value);
   json["feasible"] = record.feasible;
   json["spacing_m"] = record.spacing;
   json["wall_time_s"] = record.wall_time;
@@ -216,6 +217,10 @@ EvaluationRecord record_from_json(const Json& json) {
   record.objective_scalar = optional_number(json.at("objective_scalar"));
   for (const Json& item : json.at("constraints")) {
     record.constraints.push_back(constraint_from_json(item));
+  }
+  const Json terms = json.value("terms", Json::object());
+  for (const auto& [name, value] : terms.items()) {
+    record.terms.push_back({name, optional_number(value)});
   }
   record.feasible = json.at("feasible").get<bool>();
   record.spacing = json.at("spacing_m").get<double>();

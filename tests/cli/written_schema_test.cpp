@@ -161,7 +161,11 @@ TEST_F(WrittenSchema, HoldsAFailedRun) {
 }
 
 TEST_F(WrittenSchema, HoldsASearchAndItsRecommendation) {
-  folder_.write("study.json", tiny_search().dump());
+  designs::Json spec = tiny_search();
+  spec["terms"]["half_height_m"] = "upstream_height_m / 2";
+  spec["terms"]["reach_m"] = {{"expression", "2 * launch_length_m"},
+                              {"values_when_absent", {{"launch_length_m", 0}}}};
+  folder_.write("study.json", spec.dump());
   run({"optimize", "study.json", "--out", "out"});
   run({"recommend", "out"});
   expect_folder(folder_ / "out");
@@ -169,6 +173,17 @@ TEST_F(WrittenSchema, HoldsASearchAndItsRecommendation) {
                            "surrogates", "sensitivity", "recommendation", "page"}) {
     EXPECT_GE(checked_[name], 1) << name;
   }
+  // The terms of the spec stand wherever a design does.
+  std::istringstream log(file_text(folder_ / "out/evaluations.jsonl"));
+  std::string line;
+  std::getline(log, line);
+  const Plain first = Plain::parse(line);
+  EXPECT_DOUBLE_EQ(first["terms"]["half_height_m"].get<double>(),
+                   first["design"]["upstream_height_m"].get<double>() / 2.0);
+  EXPECT_TRUE(first["terms"].contains("reach_m"));
+  const Plain advice = Plain::parse(file_text(folder_ / "out/recommendation.json"));
+  EXPECT_TRUE(advice.dump().find("\"terms\":{\"half_height_m\"") != std::string::npos);
+  EXPECT_NE(file_text(folder_ / "out/designs.csv").find("term.half_height_m"), std::string::npos);
 }
 
 TEST_F(WrittenSchema, HoldsRefusedDesignsAndWhatEvaluatePrints) {

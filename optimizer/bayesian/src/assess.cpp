@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "candidates.hpp"
+#include "composed.hpp"
 #include "confirmation.hpp"
 #include "parapet/acquisition/improvement.hpp"
 #include "parapet/math/pareto.hpp"
@@ -12,6 +13,7 @@ namespace parapet::bayesian {
 namespace {
 
 constexpr double normal_975 = 1.959963984540054;  // 97.5 % of the standard normal
+constexpr double without_limit = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Fills in what the surrogate of one metric says about all designs.
@@ -40,11 +42,57 @@ void estimate(std::vector<Assessed>& designs, std::size_t metric, const Metric& 
   }
 }
 
+/// The inputs of a composed metric, as their surrogates see them at all designs.
+struct Inputs {
+  Eigen::MatrixXd mean, deviation;  ///< [n_designs, n_inputs], model units
+
+  Inputs(const Models& models, const Metric& spec, const Eigen::MatrixXd& at) {
+    const auto& metrics = spec.composition.inputs;
+    mean.resize(at.rows(), static_cast<Eigen::Index>(metrics.size()));
+    deviation.resize(at.rows(), mean.cols());
+    for (Eigen::Index i = 0; i < mean.cols(); ++i) {
+      const auto prediction = models.process(metrics[static_cast<std::size_t>(i)])->predict(at);
+      mean.col(i) = prediction.mean;
+      deviation.col(i) = prediction.variance.cwiseMax(0.0).cwiseSqrt();
+    }
+  }
+};
+
+/// Fills in what the surrogates of its inputs say about a composed metric.
+void estimate_from_inputs(std::vector<Assessed>& designs, const Problem& problem,
+                          const Models& models, std::size_t metric, const Eigen::MatrixXd& inputs) {
+  const Inputs at(models, problem.metrics[metric], inputs);
+  for (std::size_t k = 0; k < designs.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    const ComposedEstimate found = estimate_composed(
+        of_inputs(problem, models, metric, designs[k].x), at.mean.row(row).transpose(),
+        at.deviation.row(row).transpose(), -without_limit, without_limit);
+    designs[k].estimate[metric] = found.median;
+    designs[k].lower[metric] = found.lower;
+    designs[k].upper[metric] = found.upper;
+  }
+}
+
+/// The same for a limit on a composed metric: the share of draws of its inputs that meet it.
+void add_log_share(Eigen::VectorXd& sum, const std::vector<Assessed>& designs,
+                   const Problem& problem, const Models& models, const Limit& limit,
+                   const Eigen::MatrixXd& inputs) {
+  const Inputs at(models, problem.metrics[limit.metric], inputs);
+  for (std::size_t k = 0; k < designs.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    sum[row] +=
+        std::log(estimate_composed(of_inputs(problem, models, limit.metric, designs[k].x),
+                                   at.mean.row(row).transpose(), at.deviation.row(row).transpose(),
+                                   limit.lower, limit.upper)
+                     .share_within);
+  }
+}
+
 /// log of the probability that a limit is met at each design, added to a sum.
 void add_log_feasible(Eigen::VectorXd& sum, const std::vector<Assessed>& designs,
                       const Limit& limit, const Metric& spec,
                       const surrogate::GaussianProcess* process, const Eigen::MatrixXd& inputs) {
-  constexpr double impossible = -std::numeric_limits<double>::infinity();
+  constexpr double impossible = -without_limit;
   surrogate::Prediction prediction;
   if (process != nullptr) prediction = process->predict(inputs);
   for (std::size_t k = 0; k < designs.size(); ++k) {
@@ -97,10 +145,22 @@ std::vector<Assessed> Search::assessed() const {
   if (designs.empty()) return designs;
   const Eigen::MatrixXd inputs = problem.space.features(xs);
   for (std::size_t m = 0; m < problem.metrics.size(); ++m) {
+    if (problem.metrics[m].is_composed()) {
+      if (can_predict(problem, models, m)) {
+        estimate_from_inputs(designs, problem, models, m, inputs);
+      }
+      continue;
+    }
     estimate(designs, m, problem.metrics[m], models.process(m), inputs);
   }
   Eigen::VectorXd log_feasible = Eigen::VectorXd::Zero(inputs.rows());
   for (const Limit& limit : problem.limits) {
+    if (problem.metrics[limit.metric].is_composed()) {
+      if (can_predict(problem, models, limit.metric)) {
+        add_log_share(log_feasible, designs, problem, models, limit, inputs);
+      }
+      continue;
+    }
     add_log_feasible(log_feasible, designs, limit, problem.metrics[limit.metric],
                      models.process(limit.metric), inputs);
   }

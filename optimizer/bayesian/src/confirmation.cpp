@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "candidates.hpp"
+#include "composed.hpp"
 #include "parapet/acquisition/improvement.hpp"
 #include "parapet/math/pareto.hpp"
 
@@ -33,6 +34,23 @@ std::vector<std::size_t> different_designs(const Problem& problem, const std::ve
   return found;
 }
 
+/// The inputs of a composed metric at one design, from the predictions of all.
+struct InputsAt {
+  Eigen::VectorXd mean, deviation;
+
+  InputsAt(const Metric& metric, const std::vector<surrogate::Prediction>& predictions,
+           Eigen::Index row) {
+    const auto& inputs = metric.composition.inputs;
+    mean.resize(static_cast<Eigen::Index>(inputs.size()));
+    deviation = mean;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const auto place = static_cast<Eigen::Index>(i);
+      mean[place] = predictions[inputs[i]].mean[row];
+      deviation[place] = std::sqrt(std::max(0.0, predictions[inputs[i]].variance[row]));
+    }
+  }
+};
+
 /// log of the probability that design k meets the limits, from the surrogates' predictions of all.
 double log_feasible(const Problem& problem, const Models& models,
                     const std::vector<surrogate::Prediction>& predictions, const Told& design,
@@ -40,6 +58,14 @@ double log_feasible(const Problem& problem, const Models& models,
   double sum = 0.0;
   for (const Limit& limit : problem.limits) {
     const auto& value = design.values[limit.metric];
+    const Metric& metric = problem.metrics[limit.metric];
+    if (value && metric.is_composed() && can_predict(problem, models, limit.metric)) {
+      const InputsAt at(metric, predictions, row);
+      sum += std::log(estimate_composed(of_inputs(problem, models, limit.metric, design.x), at.mean,
+                                        at.deviation, limit.lower, limit.upper)
+                          .share_within);
+      continue;
+    }
     const surrogate::GaussianProcess* process = models.process(limit.metric);
     if (!value) {
       if (!limit.satisfied_when_absent) return -never;
@@ -105,6 +131,12 @@ EstimatedFront estimated_front(const Problem& problem, const Models& models,
     for (const Objective& objective : problem.objectives) {
       const auto* process = models.process(objective.metric);
       const Metric& metric = problem.metrics[objective.metric];
+      if (metric.is_composed() && values[objective.metric] &&
+          can_predict(problem, models, objective.metric)) {
+        const double value = of_inputs(problem, models, objective.metric,
+                                       design.x)(InputsAt(metric, predictions, row).mean);
+        if (std::isfinite(value)) values[objective.metric] = value;
+      }
       if (process == nullptr || !values[objective.metric]) continue;
       values[objective.metric] =
           std::clamp(process->from_model(predictions[objective.metric].mean[row]), metric.least,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "as_index.hpp"
+#include "composed.hpp"
 #include "level_choice.hpp"
 
 namespace parapet::bayesian {
@@ -71,7 +72,9 @@ void Gain::view_limits(const Input& /*input*/) {
                    .lower = to_model(limit.lower),
                    .upper = to_model(limit.upper),
                    .satisfied_when_absent = limit.satisfied_when_absent,
-                   .in_reference = false};
+                   .in_reference = false,
+                   .composed = problem_.metrics[limit.metric].is_composed() &&
+                               can_predict(problem_, models_, limit.metric)};
     for (std::size_t j = 0; j < objectives_.size(); ++j) {
       if (objectives_[j].metric != limit.metric) continue;
       // "At least 0.9 of what is maximised" is a nearer reference point, exactly.
@@ -89,17 +92,29 @@ void Gain::view_limits(const Input& /*input*/) {
 double Gain::noise_volume() const {
   double volume = 1.0;
   for (const ObjectiveView& view : objectives_) {
-    if (view.process == nullptr) continue;
-    // The slope of the transform at the middle of the data, in model units.
-    volume *= view.deviation(0.0, view.process->noise());
+    // The slope at the middle of the data, in model units.
+    if (view.process != nullptr) volume *= view.deviation(0.0, view.process->noise());
+    if (!problem_.metrics[view.metric].is_composed() || designs_.empty()) continue;
+    const auto& inputs = problem_.metrics[view.metric].composition.inputs;
+    const Eigen::VectorXd middle = Eigen::VectorXd::Zero(as_index(inputs.size()));
+    Eigen::VectorXd noise = middle;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      noise[as_index(i)] = models_.process(inputs[i])->noise();
+    }
+    const OfInputs f = of_inputs(problem_, models_, view.metric, designs_.front());
+    volume *= split(f, middle, noise).deviation / view.scale;
   }
   return volume;
 }
 
 /// Whether a goal hangs on a metric.
 bool Gain::wanted(std::size_t metric) const {
-  const auto of_limit = [&](const LimitView& l) { return l.metric == metric; };
-  const auto of_objective = [&](const ObjectiveView& o) { return o.metric == metric; };
+  const auto hangs = [&](std::size_t goal) {
+    const auto inputs = modelled_inputs(problem_, goal);
+    return std::find(inputs.begin(), inputs.end(), metric) != inputs.end();
+  };
+  const auto of_limit = [&](const LimitView& l) { return hangs(l.metric); };
+  const auto of_objective = [&](const ObjectiveView& o) { return hangs(o.metric); };
   return samples_[metric] != nullptr &&
          (std::any_of(limits_.begin(), limits_.end(), of_limit) ||
           std::any_of(objectives_.begin(), objectives_.end(), of_objective));
@@ -137,11 +152,45 @@ Gain::Given Gain::predict(const Prepared& prepared) const {
   return given;
 }
 
+Gain::Composed Gain::composed(std::size_t metric, const Prepared& prepared, const Given& given,
+                              Eigen::Index k, std::size_t level, int draws) const {
+  const auto& inputs = problem_.metrics[metric].composition.inputs;
+  const Eigen::Index n = as_index(inputs.size());
+  Eigen::MatrixXd means(draws, n), normals(draws, n);
+  Eigen::VectorXd sd(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t input = inputs[static_cast<std::size_t>(i)];
+    means.col(i) = given.means[input].col(k).head(draws);
+    normals.col(i) = normals_[input].head(draws);
+    sd[i] = given.deviations[input][k] * prepared.shown(level, input, k);
+  }
+  const OfInputs f = of_inputs(problem_, models_, metric, prepared.xs[static_cast<std::size_t>(k)]);
+  const NormalSplit parts = split(f, means.colwise().mean().transpose(), sd);
+  Composed result{.values = Eigen::VectorXd(draws), .deviation = parts.deviation};
+  Eigen::VectorXd z(n);
+  for (Eigen::Index s = 0; s < draws; ++s) {
+    z = means.row(s).transpose();
+    if (parts.sampled > 0.0) z += parts.sampled * normals.row(s).transpose().cwiseProduct(sd);
+    result.values[s] = f(z);
+  }
+  return result;
+}
+
 Eigen::VectorXd Gain::log_feasible(const Prepared& prepared, const Given& given, Eigen::Index k,
                                    bool all_limits, std::size_t level, int draws) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(draws);
   for (const LimitView& limit : limits_) {
     if (limit.in_reference && !all_limits) continue;
+    if (limit.composed) {
+      const Composed value = composed(limit.metric, prepared, given, k, level, draws);
+      for (Eigen::Index s = 0; s < draws; ++s) {
+        result[s] += std::isnan(value.values[s])
+                         ? -infinity
+                         : acquisition::log_probability_within(value.values[s], value.deviation,
+                                                               limit.lower, limit.upper);
+      }
+      continue;
+    }
     const Eigen::MatrixXd& mean = given.means[limit.metric];
     if (mean.size() == 0) {
       if (!problem_.metrics[limit.metric].exact) continue;  // never had a value so far
@@ -183,6 +232,10 @@ Eigen::VectorXd Gain::log_gain(const Prepared& prepared, const Given& given, std
           y(s, j) = view.from_model(z);
           deviation(s, j) = view.deviation(z, sd);
         }
+      } else if (problem_.metrics[view.metric].is_composed()) {
+        const Composed value = composed(view.metric, prepared, given, k, level, draws);
+        for (Eigen::Index s = 0; s < draws; ++s) y(s, j) = view.of_composed(value.values[s]);
+        deviation.col(j).setConstant(value.deviation / view.scale);
       } else {
         y.col(j).setConstant(view.to_view(exact(view.metric, x)));
         deviation.col(j).setZero();
@@ -224,7 +277,9 @@ Eigen::VectorXd Gain::log_ignorance(const std::vector<Point>& xs) const {
   for (Eigen::Index k = 0; k < result.size(); ++k) {
     double largest = 0.0;
     for (const ObjectiveView& view : objectives_) {
-      if (view.process != nullptr) largest = std::max(largest, given.deviations[view.metric][k]);
+      for (const std::size_t input : modelled_inputs(problem_, view.metric)) {
+        largest = std::max(largest, given.deviations[input][k]);
+      }
     }
     result[k] += 2.0 * std::log(largest) +
                  acquisition::log_mean(log_feasible(prepared, given, k, true, 0, n_samples_));

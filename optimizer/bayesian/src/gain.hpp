@@ -17,8 +17,9 @@ namespace parapet::bayesian {
 /// Noisy expected hypervolume improvement at the finest level, times the probabilities of meeting
 /// the limits and of the evaluation succeeding, of an evaluation at any level. Every metric is a
 /// process of its own; given them, outcomes are independent, except that a limit on an objective's
-/// own metric moves the reference point. While no design meets the limits in any draw, the gain is
-/// the probability of meeting them.
+/// own metric moves the reference point. A composed metric is evaluated on the draws of its inputs;
+/// of a design that is not evaluated it is a normal variable about such values, see NormalSplit.
+/// While no design meets the limits in any draw, the gain is the probability of meeting them.
 ///
 /// The draws are joint over the designs that may matter (told, at any level) and those pending, of
 /// their values at the finest level. So the front holds designs known through coarse evaluations,
@@ -98,6 +99,13 @@ class Gain {
     double lower = 0.0, upper = 0.0;  ///< model units, or the metric's own for an exact one
     bool satisfied_when_absent = true;
     bool in_reference = false;  ///< the reference point says it already
+    bool composed = false;
+  };
+
+  /// A composed metric of one design at one level.
+  struct Composed {
+    Eigen::VectorXd values;  ///< [n_draws], NaN where it has none
+    double deviation = 0.0;
   };
 
   /// What the draws say about designs that are not evaluated yet.
@@ -121,6 +129,10 @@ class Gain {
   void make_front();
   bool limits_met(std::size_t design, int sample) const;
   double exact(std::size_t metric, const Point& x) const;
+  Composed composed(std::size_t metric, const Prepared& prepared, const Given& given,
+                    Eigen::Index k, std::size_t level, int draws) const;
+  double composed_draw(std::size_t metric, std::size_t design, int sample) const;
+  double objective_draw(const ObjectiveView& view, std::size_t design, int sample) const;
   const surrogate::PosteriorSamples* samples(std::size_t metric) const {
     return samples_[metric].get();
   }
@@ -133,6 +145,7 @@ class Gain {
   std::vector<Point> designs_;                                         // [p]
   std::vector<std::vector<std::optional<double>>> observed_;           // [p]; empty: pending
   std::vector<std::unique_ptr<surrogate::PosteriorSamples>> samples_;  // [n_metrics]
+  std::vector<Eigen::VectorXd> normals_;  // [n_metrics] of [n_samples]; of inputs of composed ones
   std::optional<acquisition::NoisyFront> front_;
   std::vector<double> level_cost_;
   int n_samples_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "as_index.hpp"
+#include "composed.hpp"
 #include "gain.hpp"
 #include "parapet/math/pareto.hpp"
 
@@ -36,6 +37,16 @@ void Gain::choose_front_designs(const Input& input) {
     if (view.process != nullptr) {
       const Eigen::VectorXd z = view.process->predict_mean(inputs);
       means.col(as_index(j)) = z.unaryExpr([&](double one) { return view.from_model(one); });
+    } else if (problem_.metrics[view.metric].is_composed()) {
+      const auto& metrics = problem_.metrics[view.metric].composition.inputs;
+      Eigen::MatrixXd z(as_index(xs.size()), as_index(metrics.size()));
+      for (std::size_t i = 0; i < metrics.size(); ++i) {
+        z.col(as_index(i)) = models_.process(metrics[i])->predict_mean(inputs);
+      }
+      for (std::size_t k = 0; k < xs.size(); ++k) {
+        means(as_index(k), as_index(j)) = view.of_composed(
+            of_inputs(problem_, models_, view.metric, xs[k])(z.row(as_index(k)).transpose()));
+      }
     } else {
       for (std::size_t k = 0; k < xs.size(); ++k) {
         means(as_index(k), as_index(j)) = view.to_view(exact(view.metric, xs[k]));
@@ -96,12 +107,33 @@ void Gain::add_pending(const Point& x) {
   make_front();
 }
 
+double Gain::composed_draw(std::size_t metric, std::size_t design, int sample) const {
+  const auto& inputs = problem_.metrics[metric].composition.inputs;
+  Eigen::VectorXd z(as_index(inputs.size()));
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    z[as_index(i)] = samples(inputs[i])->values()(sample, as_index(design));
+  }
+  return of_inputs(problem_, models_, metric, designs_[design])(z);
+}
+
+double Gain::objective_draw(const ObjectiveView& view, std::size_t design, int sample) const {
+  if (view.process != nullptr) {
+    return view.from_model(samples(view.metric)->values()(sample, as_index(design)));
+  }
+  if (problem_.metrics[view.metric].is_composed()) {
+    return view.of_composed(composed_draw(view.metric, design, sample));
+  }
+  return view.to_view(exact(view.metric, designs_[design]));
+}
+
 bool Gain::limits_met(std::size_t design, int sample) const {
   return std::all_of(limits_.begin(), limits_.end(), [&](const LimitView& limit) {
     const bool known = !observed_[design].empty();
     if (known && !observed_[design][limit.metric]) return limit.satisfied_when_absent;
     double value = 0.0;
-    if (samples(limit.metric) != nullptr) {
+    if (limit.composed) {
+      value = composed_draw(limit.metric, design, sample);
+    } else if (samples(limit.metric) != nullptr) {
       value = samples(limit.metric)->values()(sample, as_index(design));
     } else if (problem_.metrics[limit.metric].exact) {
       value = exact(limit.metric, designs_[design]);
@@ -115,11 +147,13 @@ bool Gain::limits_met(std::size_t design, int sample) const {
 void Gain::draw(std::uint64_t seed) {
   const Eigen::MatrixXd inputs = problem_.space.features(designs_);
   samples_.resize(problem_.metrics.size());
+  normals_.resize(problem_.metrics.size());
   for (std::size_t metric = 0; metric < samples_.size(); ++metric) {
     const auto* process = models_.process(metric);
     if (process == nullptr) continue;
     samples_[metric] = std::make_unique<surrogate::PosteriorSamples>(*process, inputs, n_samples_,
                                                                      seed + 104729 * metric);
+    normals_[metric] = standard_normals(n_samples_, seed, 1000 + metric);
   }
   make_front();
 }
@@ -134,11 +168,7 @@ void Gain::make_front() {
     std::vector<math::Objectives> good;
     for (std::size_t k = 0; k < designs_.size(); ++k) {
       for (std::size_t j = 0; j < objectives_.size(); ++j) {
-        const ObjectiveView& view = objectives_[j];
-        y(as_index(k), as_index(j)) =
-            view.process != nullptr
-                ? view.from_model(samples(view.metric)->values()(s, as_index(k)))
-                : view.to_view(exact(view.metric, designs_[k]));
+        y(as_index(k), as_index(j)) = objective_draw(objectives_[j], k, s);
         // A draw beyond what is possible would leave no room for an improvement there.
         y(as_index(k), as_index(j)) = std::max(y(as_index(k), as_index(j)), ideal_[as_index(j)]);
       }

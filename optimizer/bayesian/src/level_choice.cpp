@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "composed.hpp"
+
 namespace parapet::bayesian {
 Eigen::VectorXd informative_share(const surrogate::GaussianProcess& process,
                                   const Eigen::MatrixXd& inputs, int level) {
@@ -22,8 +24,11 @@ int choose_level(const Problem& problem, const Models& models, const Point& x,
                  const std::vector<double>& seconds, const std::vector<bool>& taken) {
   const Eigen::MatrixXd input = problem.space.features(x);
   std::set<std::size_t> metrics;
-  for (const Objective& objective : problem.objectives) metrics.insert(objective.metric);
-  for (const Limit& limit : problem.limits) metrics.insert(limit.metric);
+  const auto add = [&](std::size_t metric) {
+    for (const std::size_t one : modelled_inputs(problem, metric)) metrics.insert(one);
+  };
+  for (const Objective& objective : problem.objectives) add(objective.metric);
+  for (const Limit& limit : problem.limits) add(limit.metric);
   int best = 0;
   double best_value = -1.0;
   for (int level = 0; level < static_cast<int>(problem.levels.size()); ++level) {

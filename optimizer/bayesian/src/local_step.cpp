@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "candidates.hpp"
+#include "composed.hpp"
 #include "parapet/optimizer/optimize.hpp"
 
 namespace parapet::bayesian {
@@ -49,13 +51,18 @@ class Neighbourhood {
         best_(told[region.best]),
         center_(problem.space.to_unit(best_.x)),
         free_(free_variables(problem.space, best_.x)),
-        half_width_(region.half_width) {
+        half_width_(region.half_width),
+        objective_inputs_(modelled_inputs(problem, problem.objectives.front().metric)) {
     choose_designs(told);
     if (enough()) fit(seed);
   }
 
   bool enough() const { return !free_.empty() && designs_.size() >= free_.size() + 2; }
-  bool modelled() const { return objective() != nullptr; }
+  bool modelled() const {
+    return !objective_inputs_.empty() &&
+           std::all_of(objective_inputs_.begin(), objective_inputs_.end(),
+                       [&](std::size_t metric) { return processes_[metric].has_value(); });
+  }
   std::size_t n_free() const { return free_.size(); }
 
   /// The design at v [n_free], 0 .. 1 across the trust region.
@@ -83,17 +90,26 @@ class Neighbourhood {
     return v;
   }
 
-  /// Objective, minimised, in model units, and violations of the limits over their deviation there.
+  /// Objective, minimised, in model units (a composed one: over its spread), and violations of the
+  /// limits over their deviation there.
   optimizer::Evaluation predict(const std::vector<double>& v) const {
     const Point x = design(v);
     const Eigen::MatrixXd at = inputs_of(x);
     optimizer::Evaluation answer{.ok = true, .reason = {}, .objective = 0.0, .constraints = {}};
-    answer.objective = sign() * objective()->predict(at).mean[0];
+    answer.objective = sign() * mean_of(objective_metric(), x, at) / scale_;
     for (const Limit& limit : problem_.limits) {
       const Metric& metric = problem_.metrics[limit.metric];
       double value = 0.0, margin = 0.0, lower = limit.lower, upper = limit.upper;
       if (metric.exact) {
         value = metric.exact(x);
+      } else if (metric.is_composed()) {
+        if (!predictable(limit.metric)) continue;
+        const double unit = spread_of(limit.metric);
+        value = mean_of(limit.metric, x, at) / unit;
+        if (std::isnan(value)) value = std::numeric_limits<double>::max();
+        margin = 0.5 * deviation_of(limit.metric, x, at) / unit;
+        lower /= unit;
+        upper /= unit;
       } else if (const auto& process = processes_[limit.metric]) {
         const surrogate::Prediction prediction = process->predict(at);
         value = prediction.mean[0];
@@ -113,21 +129,92 @@ class Neighbourhood {
   std::size_t n_constraints() const { return predict(middle()).constraints.size(); }
 
   double deviation(const std::vector<double>& v) const {
-    return std::sqrt(objective()->predict(inputs_of(design(v))).variance[0]);
+    const Point x = design(v);
+    return deviation_of(objective_metric(), x, inputs_of(x)) / scale_;
   }
 
   /// Of the best design as observed, in the unit of predict().
   double best_objective() const {
-    const std::size_t metric = problem_.objectives.front().metric;
-    return sign() * objective()->to_model(*best_.values[metric]);
+    const std::size_t metric = objective_metric();
+    const double value = *best_.values[metric];
+    return sign() * (processes_[metric] ? processes_[metric]->to_model(value) : value / scale_);
   }
-  double noise() const { return objective()->noise(); }
+  double noise() const {
+    const std::size_t metric = objective_metric();
+    if (processes_[metric]) return processes_[metric]->noise();
+    const auto& inputs = objective_inputs_;
+    Eigen::VectorXd middle(static_cast<Eigen::Index>(inputs.size())), sd = middle;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      middle[row] = processes_[inputs[i]]->to_model(*best_.values[inputs[i]]);
+      sd[row] = processes_[inputs[i]]->noise();
+    }
+    return split(local_inputs(metric, best_.x), middle, sd).deviation / scale_;
+  }
 
  private:
   double sign() const { return problem_.objectives.front().maximize ? -1.0 : 1.0; }
-  const surrogate::GaussianProcess* objective() const {
-    const auto& process = processes_[problem_.objectives.front().metric];
-    return process ? &*process : nullptr;
+  std::size_t objective_metric() const { return problem_.objectives.front().metric; }
+
+  bool predictable(std::size_t metric) const {
+    const auto inputs = modelled_inputs(problem_, metric);
+    return std::all_of(inputs.begin(), inputs.end(),
+                       [&](std::size_t input) { return processes_[input].has_value(); });
+  }
+
+  /// A composed metric of its inputs in the local models' units.
+  OfInputs local_inputs(std::size_t metric, const Point& x) const {
+    return [this, metric, &x](const Eigen::VectorXd& z) {
+      const Composition& composition = problem_.metrics[metric].composition;
+      std::vector<double> values;
+      for (std::size_t i = 0; i < composition.inputs.size(); ++i) {
+        const Metric& input = problem_.metrics[composition.inputs[i]];
+        values.push_back(std::clamp(
+            processes_[composition.inputs[i]]->from_model(z[static_cast<Eigen::Index>(i)]),
+            input.least, input.greatest));
+      }
+      return composition.value(x, values);
+    };
+  }
+
+  /// Predictions of a metric's inputs: mean and deviation [n_inputs].
+  std::pair<Eigen::VectorXd, Eigen::VectorXd> predict_inputs(std::size_t metric,
+                                                             const Eigen::MatrixXd& at) const {
+    const auto& inputs = problem_.metrics[metric].composition.inputs;
+    Eigen::VectorXd mean(static_cast<Eigen::Index>(inputs.size())), sd = mean;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const surrogate::Prediction one = processes_[inputs[i]]->predict(at);
+      mean[static_cast<Eigen::Index>(i)] = one.mean[0];
+      sd[static_cast<Eigen::Index>(i)] = std::sqrt(std::max(0.0, one.variance[0]));
+    }
+    return {mean, sd};
+  }
+
+  /// Model units, of a composed metric its own.
+  double mean_of(std::size_t metric, const Point& x, const Eigen::MatrixXd& at) const {
+    if (processes_[metric]) return processes_[metric]->predict(at).mean[0];
+    const double value = local_inputs(metric, x)(predict_inputs(metric, at).first);
+    // What has no value is as bad as can be.
+    return std::isfinite(value) ? value
+                                : sign() * 1e3 * scale_ + best_.values[metric].value_or(0.0);
+  }
+  double deviation_of(std::size_t metric, const Point& x, const Eigen::MatrixXd& at) const {
+    if (processes_[metric]) return std::sqrt(processes_[metric]->predict(at).variance[0]);
+    const auto [mean, sd] = predict_inputs(metric, at);
+    return split(local_inputs(metric, x), mean, sd).deviation;
+  }
+
+  /// Standard deviation of a composed metric over the designs taken.
+  double spread_of(std::size_t metric) const {
+    double n = 0.0, sum = 0.0, squares = 0.0;
+    for (const Told* t : designs_) {
+      if (!t->values[metric]) continue;
+      n += 1.0;
+      sum += *t->values[metric];
+      squares += *t->values[metric] * *t->values[metric];
+    }
+    const double variance = n > 1.0 ? (squares - sum * sum / n) / (n - 1.0) : 0.0;
+    return variance > 0.0 ? std::sqrt(variance) : 1.0;
   }
 
   void choose_designs(const std::vector<Told>& told) {
@@ -170,7 +257,7 @@ class Neighbourhood {
     layout.group.resize(free_.size());
     std::iota(layout.group.begin(), layout.group.end(), 0);
     const auto fit_metric = [&](std::size_t metric) {
-      if (problem_.metrics[metric].exact || processes_[metric]) return;
+      if (processes_[metric]) return;
       std::vector<const Told*> rows;
       for (const Told* t : designs_) {
         if (t->values[metric]) rows.push_back(t);
@@ -194,8 +281,11 @@ class Neighbourhood {
       }
       processes_[metric] = surrogate::GaussianProcess::fit(layout, data, options);
     };
-    fit_metric(problem_.objectives.front().metric);
-    for (const Limit& limit : problem_.limits) fit_metric(limit.metric);
+    for (const std::size_t input : objective_inputs_) fit_metric(input);
+    for (const Limit& limit : problem_.limits) {
+      for (const std::size_t input : modelled_inputs(problem_, limit.metric)) fit_metric(input);
+    }
+    if (problem_.metrics[objective_metric()].is_composed()) scale_ = spread_of(objective_metric());
   }
 
   const Problem& problem_;
@@ -203,8 +293,10 @@ class Neighbourhood {
   std::vector<double> center_;
   std::vector<std::size_t> free_;
   double half_width_;
-  double reach_ = 1.0;                // of the designs taken, share of each range
-  std::vector<const Told*> designs_;  // nearest first
+  std::vector<std::size_t> objective_inputs_;  // metrics with surrogates that it hangs on
+  double scale_ = 1.0;                         // of a composed objective, else 1
+  double reach_ = 1.0;                         // of the designs taken, share of each range
+  std::vector<const Told*> designs_;           // nearest first
   std::vector<std::optional<surrogate::GaussianProcess>> processes_;  // [n_metrics]
 };
 

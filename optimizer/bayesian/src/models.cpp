@@ -24,7 +24,8 @@ bool Models::due(std::size_t n_data, std::size_t& fitted_at) const {
 
 void Models::update(const std::vector<Told>& told) {
   for (std::size_t metric = 0; metric < processes_.size(); ++metric) {
-    if (!problem_.metrics[metric].exact) update_process(metric, told);
+    const Metric& spec = problem_.metrics[metric];
+    if (!spec.exact && !spec.is_composed()) update_process(metric, told);
   }
   update_success(told);
 }

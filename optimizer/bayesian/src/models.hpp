@@ -19,7 +19,7 @@ class Models {
   /// between the processes are conditioned on the new data with the parameters that they have.
   void update(const std::vector<Told>& told);
 
-  /// Null for an exact metric and for one without data.
+  /// Null for an exact or composed metric and for one without data.
   const surrogate::GaussianProcess* process(std::size_t metric) const {
     return processes_[metric] ? &*processes_[metric] : nullptr;
   }

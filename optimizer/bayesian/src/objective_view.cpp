@@ -16,6 +16,11 @@ double ObjectiveView::to_view(double value) const {
   return sign * (in_model_units ? process->to_model(value) : (value - shift) / scale);
 }
 
+double ObjectiveView::of_composed(double value) const {
+  if (std::isnan(value)) return to_view(sign > 0.0 ? greatest : least);
+  return to_view(std::clamp(value, least, greatest));
+}
+
 double ObjectiveView::from_model(double z) const {
   if (in_model_units) return sign * z;
   return to_view(std::clamp(process->from_model(z), least, greatest));

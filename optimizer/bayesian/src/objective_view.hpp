@@ -16,11 +16,14 @@ struct ObjectiveView {
   double sign = 1.0;  ///< -1 for what is maximised
   double shift = 0.0, scale = 1.0;
   double least = 0.0, greatest = 0.0;  ///< values beyond are as good as these (the metric's unit)
-  const surrogate::GaussianProcess* process = nullptr;  ///< null: exact
+  const surrogate::GaussianProcess* process = nullptr;  ///< null: exact or composed
 
   bool in_model_units = false;
 
   double to_view(double value) const;
+
+  /// Of a composed metric's value; what has none is as bad as can be.
+  double of_composed(double value) const;
 
   /// Of a value in model units.
   double from_model(double z) const;

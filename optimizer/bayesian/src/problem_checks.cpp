@@ -22,6 +22,15 @@ std::string problem_error(const Problem& problem, const SearchOptions& options) 
   }
   for (const Metric& metric : problem.metrics) {
     const std::size_t n = metric.known_noise.size();
+    for (const std::size_t input : metric.composition.inputs) {
+      if (!metric.is_composed() || input >= problem.metrics.size() ||
+          problem.metrics[input].exact || problem.metrics[input].is_composed()) {
+        return metric.name + " is composed of what has no surrogate";
+      }
+    }
+    if (metric.is_composed() && (metric.exact || metric.composition.inputs.empty())) {
+      return metric.name + " is composed of nothing, or exact as well";
+    }
     if (n != 0 && n != problem.levels.size()) {
       return "the noise of " + metric.name + " is not given for every level";
     }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "composed.hpp"
 #include "parapet/math/pareto.hpp"
 #include "reference_point.hpp"
 
@@ -32,6 +33,17 @@ void Search::State::check_point(const Point& x, int level, const Observation& ob
   }
 }
 
+/// The composed metric of what was observed.
+std::optional<double> Search::State::composed(std::size_t metric, const Told& t) const {
+  std::vector<double> inputs;
+  for (const std::size_t input : problem.metrics[metric].composition.inputs) {
+    if (!t.ok || !t.values[input]) return std::nullopt;
+    inputs.push_back(*t.values[input]);
+  }
+  const double value = problem.metrics[metric].composition.value(t.x, inputs);
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
 int Search::State::add_told(int id, const Point& x, int level, const Observation& observation) {
   Told t{.id = id,
          .x = x,
@@ -44,6 +56,9 @@ int Search::State::add_told(int id, const Point& x, int level, const Observation
     const auto& exact = problem.metrics[metric].exact;
     if (exact) t.values[metric] = exact(x);
     if (t.values[metric] && !std::isfinite(*t.values[metric])) t.values[metric].reset();
+  }
+  for (std::size_t metric = 0; metric < t.values.size(); ++metric) {
+    if (problem.metrics[metric].is_composed()) t.values[metric] = composed(metric, t);
   }
   spent += observation.seconds;
   told.push_back(std::move(t));
@@ -197,9 +212,8 @@ bool Search::State::confirming() const {
 }
 
 bool Search::State::can_model() const {
-  return std::all_of(problem.objectives.begin(), problem.objectives.end(), [&](const auto& o) {
-    return problem.metrics[o.metric].exact || models.process(o.metric) != nullptr;
-  });
+  return std::all_of(problem.objectives.begin(), problem.objectives.end(),
+                     [&](const auto& o) { return can_predict(problem, models, o.metric); });
 }
 
 std::optional<Suggestion> Search::State::nothing_left() {

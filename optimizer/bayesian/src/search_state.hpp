@@ -71,6 +71,7 @@ struct Search::State {
   Eigen::VectorXd history_reference;  // the history's hypervolumes are measured from here
 
   void check_point(const Point& x, int level, const Observation& observation) const;
+  std::optional<double> composed(std::size_t metric, const Told& t) const;
   int add_told(int id, const Point& x, int level, const Observation& observation);
   void update_history();
   void update_models();

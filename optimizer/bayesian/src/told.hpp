@@ -13,7 +13,7 @@ struct Told {
   Point x;
   int level = 0;
   bool ok = false;
-  std::vector<std::optional<double>> values;  ///< [n_metrics], exact ones filled in
+  std::vector<std::optional<double>> values;  ///< [n_metrics], exact and composed ones filled in
   double seconds = 0.0;
   bool local = false;  ///< asked for as a local step
 };

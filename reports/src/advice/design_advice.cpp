@@ -138,7 +138,8 @@ DesignReport design_report(const StudySpec& study, const EvaluationRecord& recor
                       .objective_scalar = record.objective_scalar,
                       .objectives = objective_results(study, record),
                       .constraints = {},
-                      .metrics = record.metrics};
+                      .metrics = record.metrics,
+                      .terms = record.terms};
   for (const designs::Variable& variable : study.variables) {
     const auto found = record.design.find(variable.name);
     if (found != record.design.end()) {
@@ -161,7 +162,7 @@ std::vector<ObjectiveEstimate> estimates_of(const StudySpec& study,
     list.push_back({.terms = terms_of(study, study.objectives[j]),
                     .value = candidate.design->objectives.at(j).value,
                     .estimate = {}});
-    const bool formula = study.objectives[j].metric.empty();
+    const bool formula = study.objectives[j].is_of_design();
     if (candidate.estimates != nullptr && !formula) {
       list.back().estimate = candidate.estimates->objectives.at(j);
     }

@@ -97,6 +97,9 @@ Json to_json(const DesignReport& design) {
             {"variables", list_json(design.variables, variable_json)},
             {"spacing_m", design.spacing}};
   if (!design.scenarios.empty()) json.emplace("scenarios", design.scenarios);
+  for (const records::TermRecord& term : design.terms) {
+    json["terms"][term.name] = optional_json(term.value);
+  }
   Json metrics = Json::object(), absent = Json::object();
   for (const solver::Metric& metric : design.metrics) {
     metrics[metric.key] = optional_json(metric.value);

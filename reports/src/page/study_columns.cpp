@@ -74,6 +74,9 @@ Json designs_json(const study::LoadedStudy& study, const Recommendation& advice)
     for (const records::ConstraintRecord& one : record.constraints) {
       column("constraints", one.name)[row] = number(one.value);
     }
+    for (const records::TermRecord& one : record.terms) {
+      column("terms", one.name)[row] = number(one.value);
+    }
     for (const solver::Metric& one : record.metrics) {
       column("metrics", one.key)[row] = number(one.value);
     }
@@ -104,7 +107,9 @@ std::string designs_csv(const Json& columns) {
   }
   for (const auto& [group, prefix] :
        {std::pair("variables", "variable."), std::pair("objectives", "objective."),
-        std::pair("constraints", "constraint."), std::pair("metrics", "metric.")}) {
+        std::pair("constraints", "constraint."), std::pair("terms", "term."),
+        std::pair("metrics", "metric.")}) {
+    if (!columns.contains(group)) continue;  // a study without terms
     for (const auto& [name, column] : columns.at(group).items()) {
       shown.emplace_back(prefix + name, &column);
     }
@@ -131,6 +136,7 @@ void add_study_keys(Json& page, const study::LoadedStudy& study) {
     add_key(page, one.name);
     if (!one.metric.empty()) add_key(page, one.metric);
   }
+  for (const designs::Term& one : study.spec.terms) add_key(page, one.name);
   for (const designs::Constraint& one : study.spec.constraints) {
     add_key(page, one.name);
     if (!one.metric.empty()) add_key(page, one.metric);

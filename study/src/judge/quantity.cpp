@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "parapet/study/scoring.hpp"
 
 namespace parapet::study {
 namespace {
@@ -119,6 +122,19 @@ double probability(const Quantity& quantity, const std::vector<Weighted>& values
   return all > 0.0 ? within / all : 0.0;
 }
 
+/// What a goal is called in a quantity.
+template <typename Goal>
+std::string name_of(const Goal& goal) {
+  if (!goal.metric.empty()) return goal.metric;
+  return goal.name.empty() ? goal.expression : goal.name;
+}
+
+/// Empty for a metric.
+template <typename Goal>
+std::string written_out(const Goal& goal) {
+  return goal.formula.empty() ? goal.expression : goal.formula;
+}
+
 /// Leaves only the members that make a difference.
 Quantity canonical(const designs::StudySpec& study, Quantity quantity) {
   const bool one_event = study.scenarios.size() <= 1;
@@ -140,6 +156,15 @@ Quantity canonical(const designs::StudySpec& study, Quantity quantity) {
 }  // namespace
 
 QuantityValue quantity_value(const Quantity& quantity, const std::vector<Event>& events) {
+  if (!quantity.event.empty()) {
+    const auto one = std::find_if(events.begin(), events.end(),
+                                  [&](const Event& event) { return event.name == quantity.event; });
+    Quantity alone = quantity;
+    alone.event.clear();
+    if (one == events.end()) return {.value = {}, .reason = "there is no such event"};
+    return quantity_value(alone,
+                          {Event{.name = one->name, .weight = 1.0, .metrics = one->metrics}});
+  }
   QuantityValue result;
   const std::vector<Weighted> values = weighted_values(quantity, events, result);
   switch (quantity.statistic) {
@@ -164,27 +189,96 @@ QuantityValue quantity_value(const Quantity& quantity, const std::vector<Event>&
   return result;
 }
 
+solver::Metric expression_metric(const designs::StudySpec& study, const Quantity& quantity,
+                                 const designs::Design& design,
+                                 const std::vector<solver::Metric>& metrics) {
+  solver::Metric result{.key = quantity.metric, .value = {}, .absent_reason = {}};
+  const Event event{.name = "", .weight = 1.0, .metrics = metrics};
+  designs::Design symbols = design;
+  for (const std::string& key : quantity.metrics) {
+    const auto stated = quantity.values_when_absent.find(key);
+    const QuantityValue found =
+        quantity_value({.metric = key,
+                        .lower = {},
+                        .upper = {},
+                        .value_when_absent = stated == quantity.values_when_absent.end()
+                                                 ? std::nullopt
+                                                 : std::optional(stated->second)},
+                       {event});
+    if (!found.value) {
+      result.absent_reason = key + ": " + found.reason;
+      result.absence =
+          found.unknown ? solver::Absence::run_too_short : solver::Absence::does_not_exist;
+      return result;
+    }
+    symbols[key] = *found.value;
+  }
+  result.value = formula_value(study, quantity.expression, symbols);
+  if (!result.value) {
+    result.absent_reason = "the expression has no finite value";
+    result.absence = solver::Absence::does_not_exist;
+  }
+  return result;
+}
+
+QuantityValue quantity_value(const designs::StudySpec& study, const Quantity& quantity,
+                             const designs::Design& design, const std::vector<Event>& events) {
+  if (quantity.expression.empty()) return quantity_value(quantity, events);
+  std::vector<Event> evaluated;
+  for (const Event& event : events) {
+    evaluated.push_back({.name = event.name,
+                         .weight = event.weight,
+                         .metrics = {expression_metric(study, quantity, design, event.metrics)}});
+  }
+  return quantity_value(quantity, evaluated);
+}
+
+double statistic_of(const Quantity& quantity, const std::vector<double>& values,
+                    const std::vector<double>& weights) {
+  std::vector<Weighted> all;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    all.push_back({.value = values[k], .weight = weights[k]});
+  }
+  switch (quantity.statistic) {
+    case Statistic::mean:
+      return mean(quantity, all).value();
+    case Statistic::worst:
+      return worst(quantity, all).value();
+    case Statistic::quantile:
+      return quantile(quantity, std::move(all)).value.value();
+    case Statistic::probability:
+      break;
+  }
+  return probability(quantity, all);
+}
+
 Quantity objective_quantity(const designs::StudySpec& study, const designs::Objective& objective) {
-  return canonical(study, {.metric = objective.metric,
+  return canonical(study, {.metric = name_of(objective),
                            .statistic = objective.statistic,
                            .quantile = objective.quantile,
                            .high_is_good = objective.goal == designs::Goal::maximize,
                            .lower = objective.lower,
                            .upper = objective.upper,
                            .value_when_absent = objective.value_when_absent,
-                           .absent_is_good = false});
+                           .absent_is_good = false,
+                           .expression = written_out(objective),
+                           .metrics = objective.metrics,
+                           .values_when_absent = objective.values_when_absent});
 }
 
 std::vector<QuantityLimit> constraint_quantities(const designs::StudySpec& study,
                                                  const designs::Constraint& constraint) {
-  Quantity quantity{.metric = constraint.metric,
+  Quantity quantity{.metric = name_of(constraint),
                     .statistic = constraint.statistic,
                     .quantile = constraint.quantile,
                     .high_is_good = constraint.lower.has_value(),
                     .lower = constraint.lower,
                     .upper = constraint.upper,
                     .value_when_absent = constraint.value_when_absent,
-                    .absent_is_good = constraint.satisfied_when_absent};
+                    .absent_is_good = constraint.satisfied_when_absent,
+                    .expression = written_out(constraint),
+                    .metrics = constraint.metrics,
+                    .values_when_absent = constraint.values_when_absent};
   if (constraint.statistic == Statistic::probability) {
     return {{.quantity = canonical(study, quantity),
              .lower = constraint.quantile,
@@ -202,6 +296,7 @@ std::vector<QuantityLimit> constraint_quantities(const designs::StudySpec& study
 }
 
 std::string quantity_name(const Quantity& quantity) {
+  if (!quantity.event.empty()) return quantity.metric + " (" + quantity.event + ")";
   switch (quantity.statistic) {
     case Statistic::mean:
       return quantity.metric;

@@ -39,17 +39,24 @@ struct LimitedValue {
   }
 };
 
+/// An objective or constraint that needs no simulation.
+template <typename Goal>
+std::optional<double> design_formula(const designs::StudySpec& study, const Goal& goal,
+                                     const designs::Design& design) {
+  return formula_value(study, goal.formula.empty() ? goal.expression : goal.formula, design);
+}
+
 std::vector<LimitedValue> limited_values(const designs::StudySpec& study,
                                          const Constraint& constraint,
                                          const designs::Design& design,
                                          const std::vector<Event>& events) {
-  if (constraint.metric.empty()) {
-    return {{formula_value(study, constraint.expression, design), constraint.lower,
-             constraint.upper, constraint.scale, false}};
+  if (constraint.is_of_design()) {
+    return {{design_formula(study, constraint, design), constraint.lower, constraint.upper,
+             constraint.scale, false}};
   }
   std::vector<LimitedValue> result;
   for (const QuantityLimit& limit : constraint_quantities(study, constraint)) {
-    const QuantityValue found = quantity_value(limit.quantity, events);
+    const QuantityValue found = quantity_value(study, limit.quantity, design, events);
     result.push_back({found.value, limit.lower, limit.upper, limit.scale,
                       constraint.satisfied_when_absent && !found.unknown});
   }
@@ -97,11 +104,11 @@ void score_objectives(const designs::StudySpec& study, const designs::Design& de
   for (const designs::Objective& objective : study.objectives) {
     const std::string name = objective_name(objective);
     QuantityValue found;
-    if (objective.metric.empty()) {
-      found.value = formula_value(study, objective.expression, design);
+    if (objective.is_of_design()) {
+      found.value = design_formula(study, objective, design);
       found.reason = "the formula has no finite value for this design";
     } else {
-      found = quantity_value(objective_quantity(study, objective), events);
+      found = quantity_value(study, objective_quantity(study, objective), design, events);
     }
     result.objectives.push_back(
         {name, objective.goal, objective.weight, found.value, found.absent});
@@ -117,11 +124,27 @@ void score_objectives(const designs::StudySpec& study, const designs::Design& de
   if (result.problem.empty()) result.objective_scalar = sum;
 }
 
-int limit_count(const designs::StudySpec& study, bool on_metric) {
+/// The study's terms at a design: means over the events that have a value, as of metrics.
+std::vector<records::TermRecord> term_values(const designs::StudySpec& study,
+                                             const designs::Design& design,
+                                             const std::vector<Event>& events) {
+  std::vector<records::TermRecord> result;
+  for (const designs::Term& term : study.terms) {
+    Quantity quantity{.metric = term.name, .lower = {}, .upper = {}, .value_when_absent = {}};
+    quantity.absent_is_good = true;
+    quantity.expression = term.formula;
+    quantity.metrics = term.metrics;
+    quantity.values_when_absent = term.values_when_absent;
+    result.push_back({term.name, quantity_value(study, quantity, design, events).value});
+  }
+  return result;
+}
+
+int limit_count(const designs::StudySpec& study, bool of_simulation) {
   int count = 0;
   for (const Constraint& constraint : study.constraints) {
-    if (constraint.metric.empty() == on_metric) continue;
-    const bool one = on_metric && constraint.statistic == designs::Statistic::probability;
+    if (constraint.is_of_design() == of_simulation) continue;
+    const bool one = of_simulation && constraint.statistic == designs::Statistic::probability;
     count += one ? 1 : (constraint.lower ? 1 : 0) + (constraint.upper ? 1 : 0);
   }
   return count;
@@ -159,10 +182,11 @@ Score score(const designs::StudySpec& study, const designs::Design& design,
             const std::vector<Event>& events) {
   Score result;
   score_objectives(study, design, events, result);
+  result.terms = term_values(study, design, events);
   result.feasible = result.problem.empty();
   for (const Constraint& constraint : study.constraints) {
     const auto limited = limited_values(study, constraint, design, events);
-    if (!constraint.metric.empty()) {
+    if (!constraint.is_of_design()) {
       const auto g = violations(limited);
       result.metric_violations.insert(result.metric_violations.end(), g.begin(), g.end());
     }
@@ -181,7 +205,7 @@ std::vector<ConstraintRecord> score_expressions(const designs::StudySpec& study,
                                                 const designs::Design& design) {
   std::vector<ConstraintRecord> result;
   for (const Constraint& constraint : study.constraints) {
-    if (!constraint.metric.empty()) continue;
+    if (!constraint.is_of_design()) continue;
     result.push_back(record(constraint, limited_values(study, constraint, design, {})));
   }
   return result;
@@ -191,7 +215,7 @@ std::vector<double> expression_violations(const designs::StudySpec& study,
                                           const designs::Design& design) {
   std::vector<double> result;
   for (const Constraint& constraint : study.constraints) {
-    if (!constraint.metric.empty()) continue;
+    if (!constraint.is_of_design()) continue;
     const auto g = violations(limited_values(study, constraint, design, {}));
     result.insert(result.end(), g.begin(), g.end());
   }

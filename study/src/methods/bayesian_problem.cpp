@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "parapet/solver/metric_catalog.hpp"
 #include "parapet/study/knee.hpp"
@@ -23,7 +26,8 @@ std::size_t event_count(const designs::StudySpec& study) {
 
 /// What a metric is multiplied by on its way over the events; see make_search_problem.
 double noise_factor(const designs::StudySpec& study, const Quantity& quantity) {
-  if (quantity.statistic != Statistic::mean || study.scenarios.empty()) return 1.0;
+  const bool over_events = quantity.event.empty() && !study.scenarios.empty();
+  if (quantity.statistic != Statistic::mean || !over_events) return 1.0;
   double squares = 0.0;
   for (const designs::Scenario& scenario : study.scenarios) {
     squares += scenario.weight * scenario.weight;
@@ -59,6 +63,49 @@ void set_bounds(const Quantity& quantity, bayesian::Metric& metric) {
   }
 }
 
+const std::string& formula_of(const designs::Objective& objective) {
+  return objective.formula.empty() ? objective.expression : objective.formula;
+}
+
+/// Of several events their names; of one an empty one, which stands for it.
+std::vector<std::string> event_names(const designs::StudySpec& study) {
+  std::vector<std::string> names;
+  for (const designs::Scenario& scenario : study.scenarios) names.push_back(scenario.name);
+  if (names.size() <= 1) names.assign(1, "");
+  return names;
+}
+
+/// The quantity's expression in each event, and their statistic, from the values of its metrics
+/// [n_events * n_metrics], event after event.
+std::function<double(const bayesian::Point&, const std::vector<double>&)> expression_over_events(
+    const designs::StudySpec& study, const bayesian::Space& space, const Quantity& quantity) {
+  std::vector<std::string> names;
+  for (const designs::Variable& variable : study.variables) names.push_back(variable.name);
+  names.insert(names.end(), quantity.metrics.begin(), quantity.metrics.end());
+  std::vector<double> weights;
+  for (const designs::Scenario& scenario : study.scenarios) weights.push_back(scenario.weight);
+  if (weights.size() <= 1) weights.assign(1, 1.0);
+  const auto formula = std::make_shared<designs::Formula>(quantity.expression, names);
+  const std::size_t n_metrics = quantity.metrics.size();
+  return [space, quantity, weights, formula, n_metrics](const bayesian::Point& x,
+                                                        const std::vector<double>& inputs) {
+    std::vector<double> symbols = space.canonical(x);
+    for (double& one : symbols) one = std::isnan(one) ? 0.0 : one;  // not active
+    const std::size_t n_variables = symbols.size();
+    symbols.resize(n_variables + n_metrics);
+    std::vector<double> values;
+    for (std::size_t event = 0; event < weights.size(); ++event) {
+      for (std::size_t m = 0; m < n_metrics; ++m) {
+        symbols[n_variables + m] = inputs[event * n_metrics + m];
+      }
+      values.push_back(formula->value(symbols));
+      if (!std::isfinite(values.back())) return std::numeric_limits<double>::quiet_NaN();
+    }
+    const bool alone = values.size() == 1 && quantity.statistic != Statistic::probability;
+    return alone ? values.front() : statistic_of(quantity, values, weights);
+  };
+}
+
 /// Collects metrics, each once.
 class MetricList {
  public:
@@ -66,6 +113,7 @@ class MetricList {
       : study_(study), result_(result), catalog_(solver::metric_catalog(barrier_count(study))) {}
 
   std::size_t of(Quantity quantity) {
+    if (!quantity.expression.empty()) return of_metrics(std::move(quantity));
     // Where there is always a value, two goals differ in nothing by what they say of its absence.
     if (!may_not_exist(quantity.metric)) {
       quantity.absent_is_good = false;
@@ -84,21 +132,45 @@ class MetricList {
     return metrics.size() - 1;
   }
 
-  std::size_t of_expression(const designs::Objective& objective) {
+  std::size_t of_design(const designs::Objective& objective) {
     bayesian::Metric metric;
     metric.name = objective_name(objective);
     metric.exact = [&study = study_, space = result_.problem.space,
-                    expression = objective.expression](const bayesian::Point& x) {
+                    expression = formula_of(objective)](const bayesian::Point& x) {
       return formula_value(study, expression, to_design(study, space, x))
           .value_or(std::numeric_limits<double>::quiet_NaN());
     };
     SearchMetric& added = result_.metrics.emplace_back();
-    added.expression = objective.expression;
+    added.expression = formula_of(objective);
     result_.problem.metrics.push_back(std::move(metric));
     return result_.metrics.size() - 1;
   }
 
  private:
+  /// An expression of metrics: the surrogates model each of these, in each event.
+  std::size_t of_metrics(Quantity quantity) {
+    for (std::size_t k = 0; k < result_.metrics.size(); ++k) {
+      if (result_.metrics[k].quantity == quantity) return k;
+    }
+    bayesian::Composition composition;
+    for (const std::string& event : event_names(study_)) {
+      for (const std::string& key : quantity.metrics) {
+        const auto absent = quantity.values_when_absent.find(key);
+        Quantity input{.metric = key, .lower = {}, .upper = {}, .value_when_absent = {}};
+        input.event = event;
+        if (absent != quantity.values_when_absent.end()) input.value_when_absent = absent->second;
+        composition.inputs.push_back(of(input));
+      }
+    }
+    composition.value = expression_over_events(study_, result_.problem.space, quantity);
+    bayesian::Metric metric;
+    metric.name = quantity_name(quantity);
+    metric.composition = std::move(composition);
+    result_.metrics.emplace_back().quantity = std::move(quantity);
+    result_.problem.metrics.push_back(std::move(metric));
+    return result_.metrics.size() - 1;
+  }
+
   static int barrier_count(const designs::StudySpec& study) {
     const auto found = study.base_case.find("barriers");
     return found == study.base_case.end() ? 0 : static_cast<int>(found->size());
@@ -117,8 +189,8 @@ class MetricList {
 
 void add_objectives(const designs::StudySpec& study, MetricList& list, SearchProblem& result) {
   for (const designs::Objective& objective : study.objectives) {
-    const std::size_t metric = objective.metric.empty()
-                                   ? list.of_expression(objective)
+    const std::size_t metric = objective.is_of_design()
+                                   ? list.of_design(objective)
                                    : list.of(objective_quantity(study, objective));
     result.problem.objectives.push_back({.metric = metric,
                                          .maximize = objective.goal == designs::Goal::maximize,
@@ -128,7 +200,7 @@ void add_objectives(const designs::StudySpec& study, MetricList& list, SearchPro
 
 void add_limits(const designs::StudySpec& study, MetricList& list, SearchProblem& result) {
   for (const designs::Constraint& constraint : study.constraints) {
-    if (constraint.metric.empty()) continue;
+    if (constraint.is_of_design()) continue;
     for (const QuantityLimit& limit : constraint_quantities(study, constraint)) {
       result.problem.limits.push_back({.metric = list.of(limit.quantity),
                                        .lower = limit.lower.value_or(-infinity),
@@ -155,15 +227,15 @@ void add_levels(const designs::StudySpec& study, SearchProblem& result) {
 void add_cheap_constraints(const designs::StudySpec& study, SearchProblem& result) {
   const bool any_formula =
       std::any_of(study.objectives.begin(), study.objectives.end(),
-                  [](const designs::Objective& objective) { return objective.metric.empty(); });
+                  [](const designs::Objective& objective) { return objective.is_of_design(); });
   if (expression_limit_count(study) == 0 && !any_formula) return;
   result.problem.cheap_constraints = [&study,
                                       space = result.problem.space](const bayesian::Point& x) {
     const designs::Design design = to_design(study, space, x);
     std::vector<double> g = expression_violations(study, design);
     for (const designs::Objective& objective : study.objectives) {
-      if (!objective.metric.empty()) continue;
-      g.push_back(formula_value(study, objective.expression, design) ? -1.0 : 1.0);
+      if (!objective.is_of_design()) continue;
+      g.push_back(formula_value(study, formula_of(objective), design) ? -1.0 : 1.0);
     }
     return g;
   };
@@ -263,7 +335,10 @@ bayesian::Observation observation(const designs::StudySpec& study, const SearchP
   result.values.resize(problem.metrics.size());
   const std::vector<Event> events = events_of(record);
   for (std::size_t k = 0; k < problem.metrics.size(); ++k) {
-    if (!record.ok || !problem.metrics[k].expression.empty()) continue;
+    if (!record.ok || !problem.metrics[k].expression.empty() ||
+        problem.problem.metrics[k].is_composed()) {
+      continue;
+    }
     const QuantityValue found = quantity_value(problem.metrics[k].quantity, events);
     result.values[k] = found.value;
     // a run that could not tell is no satisfied limit

@@ -85,7 +85,7 @@ std::optional<StudySummary> pool_summary(PoolEnd end, const designs::Method& met
 std::string no_allowed_design(const designs::StudySpec& study) {
   std::string formulas;
   for (const designs::Objective& objective : study.objectives) {
-    if (!objective.metric.empty()) continue;
+    if (!objective.is_of_design()) continue;
     formulas += (formulas.empty() ? "" : ", ") + objective_name(objective);
   }
   const std::string without_value = "has a value of the objective " + formulas;

@@ -1,5 +1,7 @@
 #include "output_writer.hpp"
 
+#include "parapet/study/event_model.hpp"
+
 namespace parapet::study {
 namespace {
 
@@ -65,9 +67,9 @@ void OutputWriter::search_told() {
   if (due()) write_outputs(front(true));
 }
 
-void OutputWriter::write_outputs(const Front& front) {
+void OutputWriter::write_outputs(const Front& front, const EventModel* events) {
   written_at_ = folder_.log().records().size();
-  folder_.write("pareto.json", pareto_json(study_, front, problem_, search_));
+  folder_.write("pareto.json", pareto_json(study_, front, problem_, search_, events));
   if (search_ == nullptr) return;
   folder_.write("surrogates.json", surrogates_json(study_, *problem_, *search_));
   for (const std::string& sentence : surrogate_warnings(*problem_, *search_)) {
@@ -94,7 +96,12 @@ StudySummary OutputWriter::end(StudySummary summary) {
     summary.optimizer_time = search_->own_seconds();
   }
   const Front last = front(true);
-  write_outputs(last);
+  if (search_ != nullptr && has_distribution(study_)) {
+    const EventModel events(study_, folder_.log().records());
+    write_outputs(last, &events);
+  } else {
+    write_outputs(last);
+  }
   summary = complete(std::move(summary), last);
   folder_.write("summary.json", to_json(summary, study_));
   return summary;

@@ -36,7 +36,7 @@ class OutputWriter {
 
  private:
   StudySummary complete(StudySummary summary, const Front& front) const;
-  void write_outputs(const Front& front);
+  void write_outputs(const Front& front, const EventModel* events = nullptr);
   bool due() const;
   Front front(bool with_history) const;
 

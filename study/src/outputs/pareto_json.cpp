@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "parapet/records/hashes.hpp"
+#include "parapet/study/event_model.hpp"
 #include "parapet/study/front.hpp"
 #include "parapet/study/scoring.hpp"
 
@@ -38,8 +39,43 @@ void add_estimate(Json& json, const bayesian::Assessed* assessed, std::size_t me
   json["upper_95"] = known ? finite(assessed->upper[metric]) : Json(nullptr);
 }
 
-Json objectives_json(const EvaluationRecord& record, const SearchProblem* problem,
-                     const bayesian::Assessed* assessed) {
+/// The statistic over the distribution of events in the place of an estimate over the simulated
+/// events.
+void add_statistic(Json& json, const EventModel* events, const Quantity& quantity,
+                   const designs::Design& design) {
+  if (events == nullptr || events->empty()) return;
+  const auto found = events->statistic(quantity, design);
+  if (!found) return;
+  json["estimate"] = found->value;
+  json["lower_95"] = found->lower_95;
+  json["upper_95"] = found->upper_95;
+  json["over_events"] = designs::n_event_draws;
+}
+
+/// How well the surrogates of design and event predict events that they have not seen.
+Json events_json(const designs::StudySpec& study, const EventModel& events) {
+  Json json{{"simulated", study.scenarios.size()},
+            {"drawn", designs::n_event_draws},
+            {"designs", events.n_designs()},
+            {"variables", Json::array()},
+            {"leave_one_event_out", Json::array()}};
+  for (const designs::EventVariable& variable : study.event_variables) {
+    json["variables"].push_back(variable.name);
+  }
+  for (const auto& [key, process] : events.processes()) {
+    const LeaveOneEventOut error = events.leave_one_event_out(key);
+    json["leave_one_event_out"].push_back({{"metric", key.first},
+                                           {"value_when_absent", optional_json(key.second)},
+                                           {"rmse", finite(error.rmse)},
+                                           {"q_squared", finite(error.q_squared)},
+                                           {"coverage_95", finite(error.coverage_95)}});
+  }
+  return json;
+}
+
+Json objectives_json(const designs::StudySpec& study, const EvaluationRecord& record,
+                     const SearchProblem* problem, const bayesian::Assessed* assessed,
+                     const EventModel* events) {
   Json list = Json::array();
   for (std::size_t j = 0; j < record.objectives.size(); ++j) {
     Json one;
@@ -47,6 +83,9 @@ Json objectives_json(const EvaluationRecord& record, const SearchProblem* proble
     one["value"] = optional_json(record.objectives[j].value);
     one["absent"] = record.objectives[j].absent;
     add_estimate(one, assessed, problem == nullptr ? 0 : problem->problem.objectives[j].metric);
+    if (j < study.objectives.size() && !study.objectives[j].is_of_design()) {
+      add_statistic(one, events, objective_quantity(study, study.objectives[j]), record.design);
+    }
     list.push_back(std::move(one));
   }
   return list;
@@ -54,7 +93,8 @@ Json objectives_json(const EvaluationRecord& record, const SearchProblem* proble
 
 /// A constraint's limits, each with what the surrogate of its quantity says; formulas have none.
 Json constraints_json(const designs::StudySpec& study, const EvaluationRecord& record,
-                      const SearchProblem* problem, const bayesian::Assessed* assessed) {
+                      const SearchProblem* problem, const bayesian::Assessed* assessed,
+                      const EventModel* events) {
   Json list = Json::array();
   std::size_t limit = 0;
   for (std::size_t k = 0; k < record.constraints.size() && k < study.constraints.size(); ++k) {
@@ -67,12 +107,13 @@ Json constraints_json(const designs::StudySpec& study, const EvaluationRecord& r
     one["margin"] = optional_json(constraint.margin);
     one["satisfied"] = constraint.satisfied;
     one["estimates"] = Json::array();
-    if (!study.constraints[k].metric.empty() && problem != nullptr) {
-      for (std::size_t n = constraint_quantities(study, study.constraints[k]).size(); n > 0; --n) {
+    if (!study.constraints[k].is_of_design() && problem != nullptr) {
+      for (const QuantityLimit& limited : constraint_quantities(study, study.constraints[k])) {
         const std::size_t metric = problem->problem.limits[limit++].metric;
         Json estimate;
         estimate["quantity"] = problem->problem.metrics[metric].name;
         add_estimate(estimate, assessed, metric);
+        add_statistic(estimate, events, limited.quantity, record.design);
         one["estimates"].push_back(std::move(estimate));
       }
     }
@@ -82,14 +123,15 @@ Json constraints_json(const designs::StudySpec& study, const EvaluationRecord& r
 }
 
 Json design_json(const designs::StudySpec& study, const EvaluationRecord& record,
-                 const SearchProblem* problem, const bayesian::Assessed* assessed) {
+                 const SearchProblem* problem, const bayesian::Assessed* assessed,
+                 const EventModel* events) {
   Json json;
   json["id"] = record.id;
   json["design"] = record.design;
   if (!record.options.empty()) json["options"] = record.options;
   json["spacing_m"] = record.spacing;
-  json["objectives"] = objectives_json(record, problem, assessed);
-  json["constraints"] = constraints_json(study, record, problem, assessed);
+  json["objectives"] = objectives_json(study, record, problem, assessed, events);
+  json["constraints"] = constraints_json(study, record, problem, assessed, events);
   json["probability_feasible"] =
       assessed == nullptr ? Json(nullptr) : finite(assessed->probability_feasible);
   return json;
@@ -122,7 +164,7 @@ Json estimated_json(const designs::StudySpec& study, const SearchProblem& proble
 }  // namespace
 
 Json pareto_json(const designs::StudySpec& study, const Front& front, const SearchProblem* problem,
-                 const bayesian::Search* search) {
+                 const bayesian::Search* search, const EventModel* events) {
   Json json;
   json["format"] = "parapet-pareto/1";
   json["name"] = study.name;
@@ -140,11 +182,12 @@ Json pareto_json(const designs::StudySpec& study, const Front& front, const Sear
   for (const EvaluationRecord& record : front.designs) {
     const bayesian::Assessed* view =
         problem == nullptr ? nullptr : find_assessed(study, *problem, assessed, record);
-    json["designs"].push_back(design_json(study, record, problem, view));
+    json["designs"].push_back(design_json(study, record, problem, view, events));
   }
   if (problem != nullptr && search != nullptr) {
     json["estimated"] = estimated_json(study, *problem, *search, assessed);
   }
+  if (events != nullptr && !events->empty()) json["events"] = events_json(study, *events);
   json["hypervolume"] = front.hypervolume;
   json["history"] = Json::array();
   for (const FrontEntry& entry : front.history) {

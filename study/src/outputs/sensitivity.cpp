@@ -130,6 +130,7 @@ std::vector<VariableSensitivity> variables_of(const designs::StudySpec& study, c
 
 std::string statistic_words(const designs::StudySpec& study, const Quantity& quantity) {
   if (quantity.statistic == designs::Statistic::probability) return "probability within limits";
+  if (!quantity.event.empty()) return "in " + quantity.event;
   if (study.scenarios.size() < 2) return "";
   if (quantity.statistic == designs::Statistic::mean) return "mean over the scenarios";
   const std::string end = quantity.high_is_good ? "lowest" : "highest";

@@ -30,6 +30,20 @@ FrontEntry read_entry(const Json& json) {
           .hypervolume = optional_number(json.at("hypervolume")).value_or(none)};
 }
 
+EventBasis read_events(const Json& json) {
+  EventBasis basis{.simulated = records::whole_number<int>(json.at("simulated")),
+                   .drawn = records::whole_number<int>(json.at("drawn")),
+                   .designs = records::whole_number<int>(json.at("designs")),
+                   .errors = {}};
+  for (const Json& one : json.at("leave_one_event_out")) {
+    basis.errors.push_back({.metric = one.at("metric").get<std::string>(),
+                            .rmse = optional_number(one.at("rmse")),
+                            .q_squared = optional_number(one.at("q_squared")),
+                            .coverage_95 = optional_number(one.at("coverage_95"))});
+  }
+  return basis;
+}
+
 }  // namespace
 
 const DesignEstimates* StoredFront::find(const std::string& id) const {
@@ -48,6 +62,7 @@ std::optional<StoredFront> read_stored_front(const std::filesystem::path& file,
       front.reference.push_back(optional_number(objective.at("reference")));
     }
     for (const Json& entry : json.at("history")) front.history.push_back(read_entry(entry));
+    if (json.contains("events")) front.events = read_events(json["events"]);
     for (const Json& design : json.at("designs")) front.designs.push_back(read_design(design));
     return front;
   } catch (const Json::exception&) {

@@ -132,7 +132,16 @@ Json metric_json(const SearchProblem& problem, std::size_t metric,
     json["expression"] = what.expression;
     return json;
   }
+  if (problem.problem.metrics[metric].is_composed()) {
+    json["expression"] = what.quantity.expression;
+    json["inputs"] = Json::array();
+    for (const std::size_t input : problem.problem.metrics[metric].composition.inputs) {
+      json["inputs"].push_back(problem.problem.metrics[input].name);
+    }
+    return json;
+  }
   json["metric"] = what.quantity.metric;
+  if (!what.quantity.event.empty()) json["event"] = what.quantity.event;
   json["statistic"] = statistic_name(what.quantity.statistic);
   json["quantile"] = what.quantity.quantile;
   json["high_is_good"] = what.quantity.high_is_good;
@@ -144,7 +153,10 @@ Json metric_json(const SearchProblem& problem, std::size_t metric,
 
 /// Whether a goal of the study hangs on a metric.
 bool matters(const bayesian::Problem& problem, std::size_t metric) {
-  const auto of = [&](const auto& goal) { return goal.metric == metric; };
+  const auto of = [&](const auto& goal) {
+    const auto& inputs = problem.metrics[goal.metric].composition.inputs;
+    return goal.metric == metric || std::find(inputs.begin(), inputs.end(), metric) != inputs.end();
+  };
   return std::any_of(problem.objectives.begin(), problem.objectives.end(), of) ||
          std::any_of(problem.limits.begin(), problem.limits.end(), of);
 }

@@ -24,6 +24,7 @@ void record_score(const designs::StudySpec& study, records::EvaluationRecord& re
   record.objective_scalar = scored.objective_scalar;
   record.constraints = std::move(scored.constraints);
   record.feasible = scored.feasible;
+  record.terms = std::move(scored.terms);
 }
 
 }  // namespace

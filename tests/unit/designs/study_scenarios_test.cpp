@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "study_fixture.hpp"
 
@@ -109,6 +111,42 @@ TEST(Scenarios, DrawingIsDeterministic) {
   EXPECT_NE(study.scenarios[0].sets, study_with(other.dump()).scenarios[0].sets);
   EXPECT_EQ(study.scenarios[7].name, "event_8");
   EXPECT_EQ(study.scenarios[7].weight, 0.125);
+}
+
+// What statistics are taken over: 2,000 further events, by strata too. Means within 0.1 % of the sd
+// (a two-thousandth of a stratum each), and no simulated event among them.
+TEST(Scenarios, FurtherEventsOfTheDistributions) {
+  const StudySpec study = study_with(eight_events);
+  ASSERT_EQ(study.event_variables.size(), 2U);
+  for (const auto& [k, mean, sd] : {std::tuple(0U, 90.0, 27.0), std::tuple(1U, 0.06, 0.012)}) {
+    const EventVariable& one = study.event_variables[k];
+    ASSERT_EQ(one.at.size(), 8U);
+    ASSERT_EQ(one.draws.size(), 2000U);
+    double sum = 0.0;
+    for (const double value : one.draws) sum += value / 2000.0;
+    EXPECT_NEAR(sum, mean, 0.003 * sd) << one.name;
+    for (const double value : one.at) {
+      EXPECT_EQ(std::count(one.draws.begin(), one.draws.end(), value), 0) << one.name;
+    }
+  }
+  EXPECT_TRUE(study_with(R"([{"set": {"slope_deg": 25}}, {}])").event_variables.empty());
+}
+
+// The worst of n events is the 0.9 quantile or beyond with 1 - 0.9^n: 28 do not reach 95 %, 29 do.
+TEST(Scenarios, AQuantileNeedsEventsThatBoundIt) {
+  EXPECT_NEAR(worst_confidence(0.9, 8), 0.5695, 1e-4);
+  Json json = sound_study();
+  json["objectives"][0]["statistic"] = "quantile";
+  for (int k = 0; k < 28; ++k)
+    json["scenarios"].push_back({{"set", {{"yield_stress_pa", 60 + k}}}});
+  EXPECT_THROW(parse_study(json, "s"), InputError);
+  json["scenarios"].push_back({{"set", {{"yield_stress_pa", 90}}}});
+  EXPECT_NO_THROW(parse_study(json, "s"));
+  // A search with surrogates states the quantile over 2,000 events of a distribution.
+  json["scenarios"] = Json::parse(eight_events);
+  EXPECT_THROW(parse_study(json, "s"), InputError);
+  json["method"]["algorithm"] = "BAYESIAN";
+  EXPECT_NO_THROW(parse_study(json, "s"));
 }
 
 // The resolved study holds the distributions beside the list, and reads back to the bit.

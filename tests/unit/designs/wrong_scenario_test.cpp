@@ -49,6 +49,21 @@ const WrongInput wrong_lists[] = {
      R"([{"op": "replace", "path": "/scenarios/1/set/released_volume_m3_per_m", "value": 0.3}])",
      "/scenarios", "wet makes the case impossible: /case/barriers/0/foot_x_m the barrier overlaps",
      "a foot beyond"},
+    // 1 - 0.9^2 = 0.19, ln 0.05 / ln 0.9 = 28.4, 0.05^(1/2) = 0.2236.
+    {"QuantileOfTwoEvents",
+     R"([{"op": "add", "path": "/objectives/0/statistic", "value": "quantile"}])",
+     "/objectives/0/quantile",
+     "cannot be told from 2 events: the worst of them bounds it with only 19 % confidence",
+     "at least 29 events, or the statistic \"worst\", which of 2 bounds the 0.2236 quantile with "
+     "95 %"},
+    {"QuantileInAConstraint",
+     R"([{"op": "add", "path": "/constraints/1/statistic", "value": "quantile"},
+         {"op": "add", "path": "/constraints/1/quantile", "value": 0.5}])",
+     "/constraints/1/quantile", "with only 75 % confidence", "at least 5 events"},
+    {"QuantileOne",
+     R"([{"op": "add", "path": "/objectives/0/statistic", "value": "quantile"},
+         {"op": "add", "path": "/objectives/0/quantile", "value": 1}])",
+     "/objectives/0/quantile", "is the worst of all events", "the statistic \"worst\""},
 };
 
 class WrongList : public testing::TestWithParam<WrongInput> {};
@@ -128,6 +143,10 @@ const WrongInput wrong_distributions[] = {
     {"ListOfOtherDistributions",
      R"([{"op": "replace", "path": "/scenarios/variables/yield_stress_pa/mean", "value": 91}])",
      "/scenarios/list", "is not what the distributions give", "no list"},
+    // COBYLA has no surrogates: its statistics are of the four events alone.
+    {"QuantileWithoutSurrogates",
+     R"([{"op": "replace", "path": "/objectives/0/statistic", "value": "quantile"}])",
+     "/objectives/0/quantile", "cannot be told from 4 events", "at least 29 events"},
     {"ListOfAnotherCount", R"([{"op": "replace", "path": "/scenarios/count", "value": 5}])",
      "/scenarios/list", "is not what the distributions give", "no list"},
 };

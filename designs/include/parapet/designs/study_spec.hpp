@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,7 +59,18 @@ enum class Statistic {
 /// Which way an objective is better.
 enum class Goal { maximize, minimize };
 
-/// A metric, or a formula of the design variables, that is to be maximised or minimised.
+/// A named expression: of the design variables, of metrics and of other terms. Objectives,
+/// constraints and other terms may use its name.
+struct Term {
+  std::string name;                                  ///< ends in its unit
+  std::string expression;                            ///< as given
+  std::string formula;                               ///< with the terms that it uses written out
+  std::vector<std::string> metrics;                  ///< that the formula uses
+  std::map<std::string, double> values_when_absent;  ///< metric -> value where it does not exist
+};
+
+/// A metric, or an expression of design variables, metrics and terms, that is to be maximised or
+/// minimised.
 struct Objective {
   std::string metric;  ///< empty for an expression
   Goal goal = Goal::maximize;
@@ -66,19 +78,26 @@ struct Objective {
   double scale = 1.0;                       ///< the metric is divided by it before weighting
   std::optional<double> value_when_absent;  ///< used (and logged as such) when there is no value
   std::string name = {};                    ///< in reports; default: the metric or the expression
-  std::string expression = {};              ///< in the variables' names; needs no simulation
+  std::string expression = {};              ///< as given; empty for a metric
   Statistic statistic = Statistic::mean;
   double quantile = 0.9;
   std::optional<double> lower = {}, upper = {};  ///< of the statistic probability
   std::optional<double> reference = {};          ///< of the hypervolume, in the objective's unit
+  std::string formula = {};                      ///< the expression with its terms written out
+  std::vector<std::string> metrics = {};         ///< that the expression uses
+  /// Of the expression's metrics: metric -> value where it does not exist.
+  std::map<std::string, double> values_when_absent = {};
+
+  /// Whether it is a formula of the design variables alone, which needs no simulation.
+  bool is_of_design() const { return metric.empty() && metrics.empty(); }
 };
 
-/// lower <= value <= upper, on a metric (needs a simulation) or on an expression of the design
-/// variables (tested before one is run).
+/// lower <= value <= upper, on a metric or on an expression of design variables, metrics and terms.
+/// One of the design variables alone is tested before a simulation is run.
 struct Constraint {
   std::string name;
   std::string metric;      ///< empty for an expression
-  std::string expression;  ///< in the variables' names; empty for a metric
+  std::string expression;  ///< as given; empty for a metric
   std::optional<double> lower;
   std::optional<double> upper;
   double scale = 1.0;                 ///< violation is divided by it; default: |limit| or 1
@@ -88,6 +107,13 @@ struct Constraint {
   /// least `quantile` must.
   Statistic statistic = Statistic::worst;
   double quantile = 0.9;
+  std::string formula = {};               ///< the expression with its terms written out
+  std::vector<std::string> metrics = {};  ///< that the expression uses
+  /// Of the expression's metrics: metric -> value where it does not exist.
+  std::map<std::string, double> values_when_absent = {};
+
+  /// Whether it limits a formula of the design variables alone, which needs no simulation.
+  bool is_of_design() const { return metric.empty() && metrics.empty(); }
 };
 
 /// One event that every design is judged under: changes to the base case.
@@ -96,6 +122,24 @@ struct Scenario {
   double weight = 1.0;                 ///< all weights together are 1
   std::map<std::string, double> sets;  ///< JSON pointer into the case -> value
 };
+
+/// One input that differs between events drawn from distributions, in the unit of its name.
+struct EventVariable {
+  std::string name;
+  std::vector<double> at;     ///< [n_events] in the study's scenarios
+  std::vector<double> draws;  ///< [n_event_draws] in further events of the same distributions
+};
+
+/// Number of events of the same distributions over which statistics are stated, by a Latin
+/// hypercube of a seed of its own.
+constexpr std::size_t n_event_draws = 2000;
+
+/// Confidence with which a statistic of listed events must bound the true one.
+constexpr double event_confidence = 0.95;
+
+/// Confidence with which the worst of n events, drawn at random, bounds the value that a share q of
+/// all events meet or better: 1 - q^n.
+double worst_confidence(double quantile, std::size_t n_events);
 
 /// A particle spacing at which designs may be simulated.
 struct FidelityLevel {
@@ -154,6 +198,9 @@ struct StudySpec {
   Recordings recordings = Recordings::front;
   Json resolved;  ///< everything with defaults written out
   std::string source_file;
+  std::vector<Term> terms = {};  ///< in the order of their names
+  /// Of scenarios that are drawn from distributions; empty for listed ones.
+  std::vector<EventVariable> event_variables = {};
 };
 
 /// method.algorithm in upper case.
@@ -220,6 +267,25 @@ std::vector<InputIssue> check_design(const StudySpec& study, const Design& desig
 /// Value of a design expression (muParser), the variables' names being its symbols.
 /// @throws InputError when it cannot be evaluated.
 double evaluate_expression(const std::string& expression, const Design& design);
+
+/// An expression made ready to be evaluated many times. One thread at a time may use it.
+class Formula {
+ public:
+  /// @param names of its symbols; those that it does not use are no harm
+  /// @throws InputError when it cannot be read.
+  Formula(const std::string& expression, const std::vector<std::string>& names);
+  ~Formula();
+  Formula(Formula&&) noexcept;             ///< may be moved, not copied
+  Formula& operator=(Formula&&) noexcept;  ///< likewise
+
+  /// @param values [n_names] in the order of the names
+  /// @return not finite where the formula has no value
+  double value(const std::vector<double>& values);
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
 
 /// The same for a study's objective or constraint: variables that are not active in the design
 /// count as 0, choices as their option's number.

@@ -24,6 +24,12 @@ struct ObjectiveRecord {
   bool absent = false;  ///< the metric had no value (in at least one scenario)
 };
 
+/// Value of one of the study's terms.
+struct TermRecord {
+  std::string name;
+  std::optional<double> value;  ///< with scenarios: weighted mean; empty: it has none
+};
+
 /// How one constraint stands. `margin` is the distance to the nearest limit, negative outside; in
 /// the unit of the value, empty where there is no value.
 struct ConstraintRecord {
@@ -77,6 +83,7 @@ struct EvaluationRecord {
   std::string git_revision;               ///< likewise
   int physics = 0;                        ///< its solver::physics_number; 0: not known
   std::vector<solver::Warning> warnings;  ///< of all its simulations, each key once, the worst
+  std::vector<TermRecord> terms;          ///< of the study; empty when failed
 };
 
 /// A design that the constraints on formulas refused: it was not simulated.

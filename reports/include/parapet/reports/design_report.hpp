@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "parapet/solver/result.hpp"
 #include "parapet/study/stored_front.hpp"
 
@@ -88,6 +89,7 @@ struct DesignReport {
   std::vector<ObjectiveResult> objectives;
   std::vector<ConstraintResult> constraints;
   std::vector<solver::Metric> metrics;
+  std::vector<records::TermRecord> terms = {};  ///< of the study
 };
 
 }  // namespace parapet::reports

@@ -14,7 +14,7 @@ namespace parapet::study {
 
 /// One of the search's metrics and what it is in the study.
 struct SearchMetric {
-  Quantity quantity;       ///< of a metric
+  Quantity quantity;       ///< of a metric, or of an expression that is composed of others here
   std::string expression;  ///< of a formula of the design; `quantity` means nothing then
 };
 
@@ -31,8 +31,10 @@ bayesian::Space make_space(const designs::StudySpec& study);
 /// Space, metrics, limits, levels and cheap constraints. Quantities that two goals share are one
 /// metric; a constraint with two limits and a one-sided statistic (worst, quantile) gives two. The
 /// formulas of the design among the constraints are cheap constraints; those among the objectives
-/// are exact metrics, and a design at which one is not finite is refused. `study` must outlive the
-/// problem.
+/// are exact metrics, and a design at which one is not finite is refused. An expression of metrics
+/// is composed: each of its metrics is one of the search's, in each event its own, and the
+/// expression, with its statistic over the events, is evaluated on what their surrogates say.
+/// `study` must outlive the problem.
 ///
 /// Levels: cost from the spec, else expected_seconds; times the number of events. Known noise: of
 /// a mean over events with weights w the spec's times sqrt(sum w^2), of a worst value or a quantile

@@ -12,6 +12,8 @@
 
 namespace parapet::study {
 
+class EventModel;
+
 /// The Pareto set of what was evaluated: designs at the finest spacing that meet every constraint
 /// and that no other such design dominates (is at least as good in every objective and better in
 /// one); of designs with equal objectives the first. With one objective it is the best design.
@@ -31,10 +33,12 @@ Front make_front(const designs::StudySpec& study,
 
 /// The content of pareto.json, format "parapet-pareto/1". `designs` are the front; `estimated`, of
 /// a search, is the front with the designs known through coarser spacings, by their estimates at
-/// the finest one. `search` and `problem` are null for methods without surrogates: estimates are
-/// null then.
+/// the finest one. With `events`, estimates of statistics over the distribution of events are those
+/// of its surrogates, and their errors are stated. `search` and `problem` are null for methods
+/// without surrogates: estimates are null then.
 designs::Json pareto_json(const designs::StudySpec& study, const Front& front,
-                          const SearchProblem* problem, const bayesian::Search* search);
+                          const SearchProblem* problem, const bayesian::Search* search,
+                          const EventModel* events = nullptr);
 
 /// The content of surrogates.json, format "parapet-surrogates/1": enough to predict again without
 /// the solver or the search. Numbers keep every bit.

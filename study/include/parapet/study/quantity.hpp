@@ -1,6 +1,8 @@
-/// One number of a design: a statistic of a metric over the events that the design is judged under.
+/// One number of a design: a statistic of a metric, or of an expression, over the events that the
+/// design is judged under.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,7 +21,8 @@ struct Event {
   std::vector<solver::Metric> metrics;
 };
 
-/// A statistic of a metric. Equal members mean the same number for every design.
+/// A statistic of a metric, or of an expression that is evaluated in each event. Equal members mean
+/// the same number for every design.
 ///
 /// An event in which the metric does not exist counts with `value_when_absent` where that is given.
 /// Otherwise it stands at the good end of all values or at the bad one (`absent_is_good`); one in
@@ -28,8 +31,10 @@ struct Event {
 ///   worst: it is passed over; at the bad end there is no worst value
 ///   quantile: it takes its place in the order; the quantile has no value where it falls on it
 ///   probability: it counts as within the limits, or as outside
+/// An expression exists in an event where its metrics do, or have a value of values_when_absent,
+/// and where it is finite; it is unknown where one of its metrics is.
 struct Quantity {
-  std::string metric;
+  std::string metric;  ///< of an expression: its name
   designs::Statistic statistic = designs::Statistic::mean;
   double quantile = 1.0;        ///< of the statistic quantile, else 1
   bool high_is_good = false;    ///< which end is good: for worst and quantile, else false
@@ -37,6 +42,10 @@ struct Quantity {
   std::optional<double> upper;
   std::optional<double> value_when_absent;
   bool absent_is_good = false;
+  std::string expression = {};                            ///< written out; empty for a metric
+  std::vector<std::string> metrics = {};                  ///< that the expression uses
+  std::map<std::string, double> values_when_absent = {};  ///< of these metrics
+  std::string event = {};  ///< the value in this event alone; empty: over all
 
   /// Equal in every member.
   bool operator==(const Quantity&) const = default;
@@ -50,23 +59,37 @@ struct QuantityValue {
   std::string reason;           ///< why, of the first such event
 };
 
-/// The value of a quantity over the events of a design.
+/// The value of a quantity on a metric over the events of a design.
 QuantityValue quantity_value(const Quantity& quantity, const std::vector<Event>& events);
 
-/// What an objective on a metric is about. With one event every statistic but the probability is
-/// the metric itself, and is then called the mean.
+/// The same of any quantity.
+QuantityValue quantity_value(const designs::StudySpec& study, const Quantity& quantity,
+                             const designs::Design& design, const std::vector<Event>& events);
+
+/// The quantity's statistic of values that are all there; weights of sum 1.
+double statistic_of(const Quantity& quantity, const std::vector<double>& values,
+                    const std::vector<double>& weights);
+
+/// What an expression is in one event, as a metric called `key`.
+solver::Metric expression_metric(const designs::StudySpec& study, const Quantity& quantity,
+                                 const designs::Design& design,
+                                 const std::vector<solver::Metric>& metrics);
+
+/// What an objective that needs a simulation is about. With one event every statistic but the
+/// probability is the metric itself, and is then called the mean.
 Quantity objective_quantity(const designs::StudySpec& study, const designs::Objective& objective);
 
-/// A limit of a constraint on a metric, and the quantity that it limits.
+/// A limit of a constraint that needs a simulation, and the quantity that it limits.
 struct QuantityLimit {
   Quantity quantity;
   std::optional<double> lower, upper;
   double scale = 1.0;  ///< a violation is divided by it
 };
 
-/// What a constraint on a metric limits, lower limits first. One entry where the statistic does not
-/// depend on which end is good; with the statistics worst and quantile one for each limit. The
-/// statistic probability becomes a lower limit `quantile` on the probability, scale 1.
+/// What a constraint that needs a simulation limits, lower limits first. One entry where the
+/// statistic does not depend on which end is good; with the statistics worst and quantile one for
+/// each limit. The statistic probability becomes a lower limit `quantile` on the probability,
+/// scale 1.
 std::vector<QuantityLimit> constraint_quantities(const designs::StudySpec& study,
                                                  const designs::Constraint& constraint);
 

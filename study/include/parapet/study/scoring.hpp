@@ -21,17 +21,19 @@ struct Score {
   std::optional<double> objective_scalar;  ///< minimised; empty when an objective has no value
   std::string problem;                     ///< why there is no scalar
   std::vector<records::ConstraintRecord> constraints;  ///< in the spec's order
-  std::vector<double> metric_violations;  ///< <= 0 when satisfied; one per limit on a metric
-  bool feasible = false;                  ///< every constraint, expressions too
+  std::vector<double>
+      metric_violations;  ///< <= 0 when satisfied; one per limit that needs a simulation
+  bool feasible = false;  ///< every constraint, expressions too
+  std::vector<records::TermRecord> terms = {};  ///< in the order of their names
 };
 
 /// Scores a design whose simulations ended well.
 ///
-/// Objectives and constraints on metrics are statistics over the events (see Quantity). The scalar
-/// is the sum of -weight value/scale (maximise) or +weight value/scale (minimise). The violation of
-/// a limit is (value - upper)/scale or (lower - value)/scale; that of a quantity without a value is
-/// -1 when it is then satisfied and +1 otherwise. A constraint with the statistic probability is
-/// one limit, (quantile - probability).
+/// Objectives and constraints that need a simulation are statistics over the events (see Quantity).
+/// The scalar is the sum of -weight value/scale (maximise) or +weight value/scale (minimise). The
+/// violation of a limit is (value - upper)/scale or (lower - value)/scale; that of a quantity
+/// without a value is -1 when it is then satisfied and +1 otherwise. A constraint with the
+/// statistic probability is one limit, (quantile - probability).
 /// @param events [n_events] at least one, all weights together 1
 Score score(const designs::StudySpec& study, const designs::Design& design,
             const std::vector<Event>& events);
@@ -56,15 +58,16 @@ std::vector<double> minimized_objectives(const records::EvaluationRecord& record
 std::vector<records::ConstraintRecord> score_expressions(const designs::StudySpec& study,
                                                          const designs::Design& design);
 
-/// Scaled violations of the expression constraints, one per limit: these need no simulation. An
+/// Scaled violations of the constraints on the design alone, one per limit: these need no
+/// simulation. An
 /// expression without a finite value is a violation.
 std::vector<double> expression_violations(const designs::StudySpec& study,
                                           const designs::Design& design);
 
-/// Number of limits on metrics.
+/// Number of limits that need a simulation.
 int metric_limit_count(const designs::StudySpec& study);
 
-/// Number of limits on expressions.
+/// Number of limits that need none.
 int expression_limit_count(const designs::StudySpec& study);
 
 }  // namespace parapet::study

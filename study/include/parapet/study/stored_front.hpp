@@ -27,12 +27,28 @@ struct DesignEstimates {
   std::optional<double> probability_feasible;  ///< that it meets every constraint
 };
 
+/// How well the surrogate of a metric, over design and event, predicts events that it has not seen
+/// (see LeaveOneEventOut).
+struct EventError {
+  std::string metric;
+  std::optional<double> rmse;         ///< in the metric's unit
+  std::optional<double> q_squared;    ///< 1 - error variance over variance
+  std::optional<double> coverage_95;  ///< share within 95 % intervals
+};
+
+/// What statistics over a distribution of events rest on.
+struct EventBasis {
+  int simulated = 0, drawn = 0, designs = 0;  ///< events, events of the statistics, designs
+  std::vector<EventError> errors;
+};
+
 /// The content of pareto.json as types.
 struct StoredFront {
   std::vector<DesignEstimates> designs;
   std::vector<std::optional<double>> reference;  ///< [n_objectives] in the objectives' units
   std::optional<double> hypervolume;
   std::vector<FrontEntry> history;
+  std::optional<EventBasis> events = {};  ///< of a study with a distribution of events
 
   /// The estimates of a design; null when it is not on the front.
   const DesignEstimates* find(const std::string& id) const;

@@ -11,6 +11,13 @@
 
 namespace parapet::bayesian {
 
+/// How a metric follows from others that have surrogates: the surrogates model those, not it.
+struct Composition {
+  std::vector<std::size_t> inputs = {};  ///< metrics of the problem, neither exact nor composed
+  /// Of a design and the values of the inputs [n_inputs]; not finite where it has no value.
+  std::function<double(const Point& x, const std::vector<double>& values)> value = {};
+};
+
 /// One number that an evaluation gives.
 struct Metric {
   std::string name;
@@ -21,6 +28,10 @@ struct Metric {
   /// Values beyond these are impossible (a share is at most 1).
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
+  /// A formula of other metrics: has no value where one of them has none.
+  Composition composition = {};
+
+  bool is_composed() const { return static_cast<bool>(composition.value); }
 };
 
 /// A metric that is to be as small, or as large, as possible.
@@ -56,7 +67,7 @@ struct Problem {
 };
 
 /// An answer. `values` [n_metrics]: empty where the metric has no value at this design (nothing
-/// overflowed, so nothing landed) or is exact.
+/// overflowed, so nothing landed), is exact or is composed.
 struct Observation {
   bool ok = false;
   std::vector<std::optional<double>> values = {};

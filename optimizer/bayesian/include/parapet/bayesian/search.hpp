@@ -73,8 +73,9 @@ struct Assessed {
   Point x = {};
   int level = 0;
   bool ok = false;
-  std::vector<std::optional<double>> values = {};  ///< [n_metrics] observed (exact ones filled in)
-  bool feasible = false;                           ///< as observed: ok, allowed, every limit met
+  std::vector<std::optional<double>> values =
+      {};                 ///< [n_metrics] observed (exact and composed ones filled in)
+  bool feasible = false;  ///< as observed: ok, allowed, every limit met
   std::vector<double> estimate =
       {};  ///< [n_metrics] median of the surrogate at level 0; NaN: no model
   std::vector<double> lower = {},
@@ -136,7 +137,7 @@ class Search {
   /// How the hypervolume grew, one entry for each evaluation told.
   const std::vector<HistoryEntry>& history() const;
 
-  /// Surrogate of a metric; null for an exact metric and before there are data.
+  /// Surrogate of a metric; null for an exact or composed metric and before there are data.
   const surrogate::GaussianProcess* surrogate(std::size_t metric) const;
   const surrogate::SuccessModel* success_model() const;  ///< null before there are data
 
