@@ -54,6 +54,12 @@ Spread spread_of(const std::string& name, const std::string& metric,
           .standard_deviation = std::sqrt(squares / static_cast<double>(values.size() - 1))};
 }
 
+/// What names the unit: the metric, or the name of an expression.
+template <typename Goal>
+const std::string& key_of(const Goal& goal) {
+  return goal.metric.empty() ? goal.name : goal.metric;
+}
+
 /// How far the answer moves between runs of the design and of those near to it, all at one spacing:
 /// for each objective, and for each constraint with a value.
 std::vector<Spread> spreads(const designs::StudySpec& study,
@@ -69,20 +75,21 @@ std::vector<Spread> spreads(const designs::StudySpec& study,
   std::vector<ObjectiveTerms> objectives;
   for (std::size_t j = 0; j < study.objectives.size(); ++j) {
     objectives.push_back(terms_of(study, study.objectives[j]));
-    if (objectives.back().metric.empty()) continue;
-    add(objectives.back().name, objectives.back().metric, [j](const EvaluationRecord& record) {
+    if (study.objectives[j].is_of_design()) continue;
+    add(objectives.back().name, key_of(objectives.back()), [j](const EvaluationRecord& record) {
       return j < record.objectives.size() ? record.objectives[j].value : std::nullopt;
     });
   }
   for (std::size_t k = 0; k < study.constraints.size(); ++k) {
     const designs::Constraint& constraint = study.constraints[k];
-    const std::string statistic =
-        statistic_words(study, constraint.metric, constraint.statistic, constraint.quantile);
+    const std::string statistic = statistic_words(study, constraint.is_of_design(),
+                                                  constraint.statistic, constraint.quantile);
     const bool told = std::ranges::any_of(objectives, [&](const ObjectiveTerms& objective) {
-      return objective.metric == constraint.metric && objective.statistic == statistic;
+      return !constraint.metric.empty() && objective.metric == constraint.metric &&
+             objective.statistic == statistic;
     });
-    if (constraint.metric.empty() || told) continue;
-    add(constraint.name, constraint.metric, [k](const EvaluationRecord& record) {
+    if (constraint.is_of_design() || told) continue;
+    add(constraint.name, key_of(constraint), [k](const EvaluationRecord& record) {
       return k < record.constraints.size() ? record.constraints[k].value : std::nullopt;
     });
   }

@@ -57,7 +57,8 @@ ConstraintResult constraint_result(const StudySpec& study,
   if (stated != study.constraints.end()) {
     result.metric = stated->metric;
     result.expression = stated->expression;
-    result.statistic = statistic_words(study, stated->metric, stated->statistic, stated->quantile);
+    result.statistic =
+        statistic_words(study, stated->is_of_design(), stated->statistic, stated->quantile);
   }
   const std::optional<double> limit = study::nearer_limit(record);
   const double size = limit && *limit != 0.0 ? std::abs(*limit) : 1.0;
@@ -88,9 +89,9 @@ std::vector<ObjectiveResult> objective_results(const StudySpec& study,
 
 }  // namespace
 
-std::string statistic_words(const StudySpec& study, const std::string& metric,
-                            designs::Statistic statistic, double quantile) {
-  if (study.scenarios.size() < 2 || metric.empty()) {
+std::string statistic_words(const StudySpec& study, bool of_design, designs::Statistic statistic,
+                            double quantile) {
+  if (study.scenarios.size() < 2 || of_design) {
     return statistic == designs::Statistic::probability ? "whether within limits" : "";
   }
   switch (statistic) {
@@ -111,8 +112,8 @@ ObjectiveTerms terms_of(const StudySpec& study, const designs::Objective& object
           .metric = objective.metric,
           .expression = objective.expression,
           .goal = objective.goal,
-          .statistic =
-              statistic_words(study, objective.metric, objective.statistic, objective.quantile)};
+          .statistic = statistic_words(study, objective.is_of_design(), objective.statistic,
+                                       objective.quantile)};
 }
 
 WrittenDesign written_design(const StudySpec& study, const designs::Design& design) {

@@ -10,8 +10,8 @@ namespace parapet::reports {
 ObjectiveTerms terms_of(const designs::StudySpec& study, const designs::Objective& objective);
 
 /// A statistic over the scenarios in words; empty for a study of one event.
-/// @param metric empty for a formula
-std::string statistic_words(const designs::StudySpec& study, const std::string& metric,
+/// @param of_design it is of a formula of the design alone
+std::string statistic_words(const designs::StudySpec& study, bool of_design,
                             designs::Statistic statistic, double quantile);
 
 WrittenDesign written_design(const designs::StudySpec& study, const designs::Design& design);

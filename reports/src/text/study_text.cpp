@@ -47,7 +47,7 @@ std::string constraint_words(const designs::Constraint& constraint) {
 
 /// What a constraint asks of the scenarios.
 std::string over_scenarios(const designs::Constraint& constraint) {
-  if (constraint.metric.empty()) return "";
+  if (constraint.is_of_design()) return "";
   if (constraint.statistic == designs::Statistic::worst) return " in every scenario";
   if (constraint.statistic == designs::Statistic::mean) return " on average over the scenarios";
   return fmt::format(" in at least {:g} % of the scenarios by weight", 100.0 * constraint.quantile);

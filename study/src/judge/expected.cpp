@@ -55,13 +55,13 @@ std::vector<Goal> goals_of(const StudySpec& study) {
     goal.what.place = j;
     goal.what.exact = is_exact(objective);
     if (!goal.what.exact) goal.place = GoalPlace{GoalPlace::Kind::objective, j};
-    if (!objective.metric.empty()) goal.quantity = objective_quantity(study, objective);
+    if (!goal.what.exact) goal.quantity = objective_quantity(study, objective);
     set_bounds(goal);
   }
   std::size_t limit = 0;
   for (std::size_t k = 0; k < study.constraints.size(); ++k) {
     const designs::Constraint& constraint = study.constraints[k];
-    if (constraint.metric.empty()) continue;
+    if (constraint.is_of_design()) continue;
     for (const QuantityLimit& one : constraint_quantities(study, constraint)) {
       Goal& goal = goals.emplace_back();
       goal.what.role = Role::constraint;
@@ -101,14 +101,15 @@ std::vector<Goal> loads_of(const EvaluationRecord& design) {
 }
 
 /// Its value in a run.
-std::optional<double> value_in(const Goal& goal, const EvaluationRecord& run, bool* absent) {
+std::optional<double> value_in(const StudySpec& study, const Goal& goal,
+                               const EvaluationRecord& run, bool* absent) {
   if (goal.what.role == Role::objective) {
     if (goal.what.place >= run.objectives.size()) return std::nullopt;
     const records::ObjectiveRecord& objective = run.objectives[goal.what.place];
     if (absent != nullptr) *absent = !objective.value && objective.absent;
     return objective.value;
   }
-  const QuantityValue found = quantity_value(*goal.quantity, events_of(run));
+  const QuantityValue found = quantity_value(study, *goal.quantity, run.design, events_of(run));
   if (absent != nullptr) *absent = !found.value && found.absent && !found.unknown;
   return found.value;
 }
@@ -158,14 +159,14 @@ DesignRuns runs_of(const LoadedStudy& study, const EvaluationRecord& design) {
   return runs;
 }
 
-Expectation expectation(const Goal& goal, const DesignRuns& runs,
+Expectation expectation(const StudySpec& study, const Goal& goal, const DesignRuns& runs,
                         const std::optional<SurrogateBelief>& belief) {
   Expectation result = goal.what;
   RepeatEvidence evidence{.surrogate = belief, .least = goal.least, .greatest = goal.greatest};
   int present = 0;
   const auto read = [&](const EvaluationRecord& run) {
     bool absent = false;
-    const std::optional<double> value = value_in(goal, run, &absent);
+    const std::optional<double> value = value_in(study, goal, run, &absent);
     result.absent += absent ? 1 : 0;
     present += value ? 1 : 0;
     return value;
@@ -177,11 +178,11 @@ Expectation expectation(const Goal& goal, const DesignRuns& runs,
   // A coarser run tells less than the surrogate of both spacings.
   const bool levels = belief && belief->grid;
   if (runs.other != nullptr && (!levels || runs.other->spacing < runs.spacing)) {
-    evidence.finer = value_in(goal, *runs.other, nullptr);
+    evidence.finer = value_in(study, goal, *runs.other, nullptr);
   }
   if (goal.what.exact) {
     const EvaluationRecord* any = runs.own != nullptr ? runs.own : runs.other;
-    const auto value = any == nullptr ? std::nullopt : value_in(goal, *any, nullptr);
+    const auto value = any == nullptr ? std::nullopt : value_in(study, goal, *any, nullptr);
     if (value) result.estimate = exact_estimate(*value);
     return result;
   }
@@ -214,7 +215,7 @@ std::optional<SurrogateBelief> load_belief(const LoadedStudy& study, const Goal&
   if (study.surrogates == nullptr) return std::nullopt;
   RunSamples samples{.least = load.least, .greatest = load.greatest};
   for (const EvaluationRecord& run : study.designs) {
-    const auto value = run.ok ? value_in(load, run, nullptr) : std::nullopt;
+    const auto value = run.ok ? value_in(study.spec, load, run, nullptr) : std::nullopt;
     if (!value) continue;
     samples.designs.push_back(&run.design);
     samples.spacings.push_back(run.spacing);
@@ -226,12 +227,12 @@ std::optional<SurrogateBelief> load_belief(const LoadedStudy& study, const Goal&
 }  // namespace
 
 bool is_exact(const designs::Objective& objective) {
-  return objective.metric.empty();
+  return objective.is_of_design();
 }
 
 bool has_metric_constraint(const StudySpec& study) {
   return std::ranges::any_of(study.constraints,
-                             [](const auto& constraint) { return !constraint.metric.empty(); });
+                             [](const auto& constraint) { return !constraint.is_of_design(); });
 }
 
 double repeat_spacing(const LoadedStudy& study, const EvaluationRecord& design) {
@@ -257,7 +258,8 @@ std::vector<std::vector<Expectation>> predicted_expectations(
     }
     for (std::size_t k = 0; k < designs.size(); ++k) {
       const auto belief = beliefs.empty() ? std::nullopt : std::optional(beliefs[k]);
-      list[k].push_back(expectation(goal, {.spacing = spacing, .own = designs[k]}, belief));
+      list[k].push_back(
+          expectation(study.spec, goal, {.spacing = spacing, .own = designs[k]}, belief));
     }
   }
   return list;
@@ -269,7 +271,8 @@ std::vector<Expectation> repeat_expectations(const LoadedStudy& study,
   const double spacing = repeat_spacing(study, design);
   std::vector<Expectation> list;
   for (const Goal& goal : goals_of(study.spec)) {
-    list.push_back(expectation(goal, runs, belief_of(study, goal, design.design, spacing)));
+    list.push_back(
+        expectation(study.spec, goal, runs, belief_of(study, goal, design.design, spacing)));
   }
   for (const Goal& goal : loads_of(design)) {
     // One estimate of one quantity: that of an objective or limit, where the load is one.
@@ -280,7 +283,7 @@ std::vector<Expectation> repeat_expectations(const LoadedStudy& study,
     if (same != list.end()) {
       load.estimate = same->estimate;
     } else {
-      load = expectation(goal, runs, load_belief(study, goal, design.design, spacing));
+      load = expectation(study.spec, goal, runs, load_belief(study, goal, design.design, spacing));
     }
     list.push_back(std::move(load));
   }

@@ -214,8 +214,9 @@ LoadedStudy load_study_folder(const std::filesystem::path& folder) {
   }
   if (std::ranges::count(checksums.damaged(), "surrogates.json") == 0) {
     const std::filesystem::path surrogates = folder / "surrogates.json";
-    study.surrogates = reading(
-        surrogates, [&] { return StudySurrogates::read(study.spec, surrogates, study.spec_hash); });
+    study.surrogates = reading(surrogates, [&] {
+      return StudySurrogates::read(study.spec, surrogates, study.spec_hash, study.designs);
+    });
   }
   const std::filesystem::path sensitivity = folder / "sensitivity.json";
   study.sensitivity =

@@ -3,12 +3,14 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
 #include "companion_file.hpp"
 #include "parapet/math/normal.hpp"
 #include "parapet/study/bayesian_problem.hpp"
+#include "parapet/study/quantity.hpp"
 #include "stored_surrogates.hpp"
 
 namespace parapet::study {
@@ -16,7 +18,25 @@ namespace {
 
 using designs::Design;
 using designs::Json;
+using records::EvaluationRecord;
 using surrogate::GaussianProcess;
+
+/// What an expression was in the runs.
+RunSamples samples_of(const designs::StudySpec& study, const Quantity& quantity,
+                      const std::vector<EvaluationRecord>& runs) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool share = quantity.statistic == designs::Statistic::probability;
+  RunSamples samples{.least = share ? 0.0 : -infinity, .greatest = share ? 1.0 : infinity};
+  for (const EvaluationRecord& run : runs) {
+    if (!run.ok) continue;
+    const auto value = quantity_value(study, quantity, run.design, events_of(run)).value;
+    if (!value) continue;
+    samples.designs.push_back(&run.design);
+    samples.spacings.push_back(run.spacing);
+    samples.values.push_back(*value);
+  }
+  return samples;
+}
 
 /// By how much designs left out lie farther off than a process says, at a level; at least 1. Of a
 /// level with fewer than five runs nothing can be said: all runs stand for it.
@@ -101,15 +121,16 @@ Eigen::MatrixXd factor_of(Eigen::MatrixXd covariance) {
 
 }  // namespace
 
-std::shared_ptr<const StudySurrogates> StudySurrogates::read(const designs::StudySpec& study,
-                                                             const std::filesystem::path& file,
-                                                             const std::string& spec_hash) {
+std::shared_ptr<const StudySurrogates> StudySurrogates::read(
+    const designs::StudySpec& study, const std::filesystem::path& file,
+    const std::string& spec_hash, const std::vector<EvaluationRecord>& runs) {
   const Json json = read_companion(file, "parapet-surrogates/1", spec_hash);
-  return json.is_null() ? nullptr : of(study, json);
+  return json.is_null() ? nullptr : of(study, json, runs);
 }
 
-std::shared_ptr<const StudySurrogates> StudySurrogates::of(const designs::StudySpec& study,
-                                                           const Json& surrogates) {
+std::shared_ptr<const StudySurrogates> StudySurrogates::of(
+    const designs::StudySpec& study, const Json& surrogates,
+    const std::vector<EvaluationRecord>& runs) {
   const SearchProblem problem = make_search_problem(study);
   try {
     const Json& metrics = surrogates.at("metrics");
@@ -119,13 +140,17 @@ std::shared_ptr<const StudySurrogates> StudySurrogates::of(const designs::StudyS
     result->spacings_ = problem.spacings;
     for (std::size_t k = 0; k < metrics.size(); ++k) {
       auto& model = result->models_.emplace_back();
+      if (problem.problem.metrics[k].composition.value) {
+        model = result->model_of(samples_of(study, problem.metrics[k].quantity, runs));
+        continue;
+      }
       auto process = stored_process(surrogates, metrics[k]);
       if (!process || process->data().values.size() == 0) continue;
       const bayesian::Metric& metric = problem.problem.metrics[k];
       model = Model{.lazy = std::make_shared<Fits>(),
                     .least = metric.least,
                     .greatest = metric.greatest,
-                    .noise_freedom = noise_freedom_of(*process)};
+                    .noise_freedom = noise_freedom_of(process->data(), problem.spacings.size())};
       model->lazy->stored = std::move(*process);
       model->lazy->noise_known = !metric.known_noise.empty();
     }
@@ -171,6 +196,8 @@ Eigen::MatrixXd StudySurrogates::features(const std::vector<const Design*>& desi
 const std::vector<StudySurrogates::Fit>& StudySurrogates::fits_of(const Model& model) {
   Fits& lazy = *model.lazy;
   std::call_once(lazy.made, [&] {
+    if (lazy.data) lazy.stored = GaussianProcess::fit(lazy.layout, *lazy.data, {});
+    lazy.data.reset();
     lazy.fits = make_fits(std::move(*lazy.stored), lazy.noise_known);
     lazy.stored.reset();
   });
@@ -201,10 +228,11 @@ std::vector<StudySurrogates::Fit> StudySurrogates::make_fits(GaussianProcess pro
   return fits;
 }
 
-std::vector<double> StudySurrogates::noise_freedom_of(const GaussianProcess& process) {
+std::vector<double> StudySurrogates::noise_freedom_of(const surrogate::Data& data,
+                                                      std::size_t levels) {
   std::vector<double> freedom;
-  for (int level = 0; level < process.layout().n_levels; ++level) {
-    const auto runs = static_cast<double>(std::ranges::count(process.data().levels, level));
+  for (std::size_t level = 0; level < levels; ++level) {
+    const auto runs = static_cast<double>(std::ranges::count(data.levels, static_cast<int>(level)));
     freedom.push_back(std::max(2.0, 0.25 * runs));
   }
   return freedom;
@@ -219,11 +247,8 @@ std::vector<SurrogateBelief> StudySurrogates::beliefs(const GoalPlace& goal,
   return beliefs_of(*model, designs, *at);
 }
 
-std::optional<SurrogateBelief> StudySurrogates::fitted_belief(const RunSamples& samples,
-                                                              const Design& design,
-                                                              double spacing) const {
+std::optional<StudySurrogates::Model> StudySurrogates::model_of(const RunSamples& samples) const {
   constexpr Eigen::Index fewest = 5;
-  const std::optional<int> at = level(spacing);
   surrogate::Data data;
   std::vector<const Design*> designs;
   std::vector<double> values;
@@ -236,16 +261,24 @@ std::optional<SurrogateBelief> StudySurrogates::fitted_belief(const RunSamples& 
   }
   data.values =
       Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  if (!at || data.values.size() < fewest) return std::nullopt;
+  if (data.values.size() < fewest) return std::nullopt;
   data.inputs = features(designs);
-  const surrogate::Layout layout = space_.layout(static_cast<int>(spacings_.size()));
-  GaussianProcess process = GaussianProcess::fit(layout, data, {});
   Model model{.lazy = std::make_shared<Fits>(),
               .least = samples.least,
               .greatest = samples.greatest,
-              .noise_freedom = noise_freedom_of(process)};
-  model.lazy->stored = std::move(process);
-  return beliefs_of(model, {&design}, *at).front();
+              .noise_freedom = noise_freedom_of(data, spacings_.size())};
+  model.lazy->layout = space_.layout(static_cast<int>(spacings_.size()));
+  model.lazy->data = std::move(data);
+  return model;
+}
+
+std::optional<SurrogateBelief> StudySurrogates::fitted_belief(const RunSamples& samples,
+                                                              const Design& design,
+                                                              double spacing) const {
+  const std::optional<int> at = level(spacing);
+  const std::optional<Model> model = model_of(samples);
+  if (!at || !model) return std::nullopt;
+  return beliefs_of(*model, {&design}, *at).front();
 }
 
 std::vector<SurrogateBelief> StudySurrogates::beliefs_of(const Model& model,

@@ -96,8 +96,8 @@ void TaughtStudy::teach() {
                          study::level_of(problem, one.spacing).value(),
                          study::observation(study.spec, problem, one));
   }
-  study.surrogates =
-      study::StudySurrogates::of(study.spec, study::surrogates_json(study.spec, problem, search));
+  study.surrogates = study::StudySurrogates::of(
+      study.spec, study::surrogates_json(study.spec, problem, search), study.designs);
 }
 
 }  // namespace parapet::test

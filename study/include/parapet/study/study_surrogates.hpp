@@ -12,6 +12,7 @@
 
 #include "parapet/bayesian/space.hpp"
 #include "parapet/designs/study_spec.hpp"
+#include "parapet/records/evaluation_log.hpp"
 #include "parapet/study/repeat.hpp"
 #include "parapet/surrogate/gaussian_process.hpp"
 
@@ -38,14 +39,19 @@ class StudySurrogates {
  public:
   /// Empty where the file is missing, not whole, of another study or not to be understood: what it
   /// tells is a help and not needed.
+  ///
+  /// The search models the metrics of an expression, not its value. Here the value has a process of
+  /// its own, fitted to what it was in the runs, so that its scatter is that of the expression.
   /// @param spec_hash that the file must state
-  static std::shared_ptr<const StudySurrogates> read(const designs::StudySpec& study,
-                                                     const std::filesystem::path& file,
-                                                     const std::string& spec_hash);
+  /// @param runs of the study
+  static std::shared_ptr<const StudySurrogates> read(
+      const designs::StudySpec& study, const std::filesystem::path& file,
+      const std::string& spec_hash, const std::vector<records::EvaluationRecord>& runs);
 
   /// From the content of surrogates.json. Empty likewise.
-  static std::shared_ptr<const StudySurrogates> of(const designs::StudySpec& study,
-                                                   const designs::Json& surrogates);
+  static std::shared_ptr<const StudySurrogates> of(
+      const designs::StudySpec& study, const designs::Json& surrogates,
+      const std::vector<records::EvaluationRecord>& runs);
 
   /// What the surrogate of a goal says of each design at a particle spacing [m], [n_designs]; empty
   /// where there is none (a formula, too few designs) or the spacing is none of the study's.
@@ -83,6 +89,8 @@ class StudySurrogates {
   struct Fits {
     std::once_flag made;
     std::optional<surrogate::GaussianProcess> stored;
+    std::optional<surrogate::Data> data;  // in its place: to be fitted
+    surrogate::Layout layout;             // of the data
     bool noise_known = false;
     std::vector<Fit> fits = {};  // at least one once made
   };
@@ -96,7 +104,9 @@ class StudySurrogates {
 
   StudySurrogates(bayesian::Space space, std::vector<designs::Variable> variables)
       : space_(std::move(space)), variables_(std::move(variables)) {}
-  static std::vector<double> noise_freedom_of(const surrogate::GaussianProcess& process);
+  static std::vector<double> noise_freedom_of(const surrogate::Data& data, std::size_t levels);
+  // Empty where fewer than five runs have the quantity.
+  std::optional<Model> model_of(const RunSamples& samples) const;
   const Model* find(const GoalPlace& goal) const;
   std::vector<SurrogateBelief> beliefs_of(const Model& model,
                                           const std::vector<const designs::Design*>& designs,
