@@ -58,6 +58,18 @@ Eigen::VectorXd grid_squares(const GaussianProcess& process, const Eigen::Matrix
   return squares;
 }
 
+/// Their mean over the runs at a level; 0 without one.
+double typical_grid_square(const GaussianProcess& process, int level) {
+  const std::vector<int>& levels = process.data().levels;
+  Eigen::MatrixXd inputs(std::ranges::count(levels, level), process.data().inputs.cols());
+  Eigen::Index row = 0;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    if (levels[k] != level) continue;
+    inputs.row(row++) = process.data().inputs.row(static_cast<Eigen::Index>(k));
+  }
+  return row == 0 ? 0.0 : grid_squares(process, inputs, level).mean();
+}
+
 /// The process fitted again with a noise at every level of so many standard deviations of all
 /// values.
 GaussianProcess with_noise(const GaussianProcess& process, double noise) {
@@ -272,7 +284,9 @@ std::vector<SurrogateBelief> StudySurrogates::beliefs_of(const Model& model,
       square[k] += fit.weight * (middle * middle + deviation * deviation);
       noise[k] += fit.weight * of_run * of_run;
     }
-    if (coarser) grid += fit.weight * grid_squares(fit.process, inputs, level);
+    if (!coarser) continue;
+    const Eigen::VectorXd here = grid_squares(fit.process, inputs, level);
+    grid += fit.weight * here.cwiseMax(typical_grid_square(fit.process, level));
   }
   std::vector<SurrogateBelief> list;
   for (Eigen::Index k = 0; k < n; ++k) {
