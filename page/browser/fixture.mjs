@@ -197,12 +197,19 @@ export function studyPage(n, name = 'fixture', marks = '') {
     estimates: [],
     probability_feasible: 0.97,
   };
+  const pageOne = {
+    title: `Recommended arrangement ${marks}`, design: shown.id, arrangement: `an arrangement ${marks}`, instead: '',
+    performance: objectives.map((one) => ({ label: `${one.name} ${marks}`, text: '0.9 ± 0.1', asked: `to be ${one.goal}d`, mean: 0.9, lower_95: 0.8, upper_95: 1, probability: null })),
+    limits: [{ label: `limit ${marks}`, text: '0.4 ± 0.1', asked: 'at most 0.5', mean: 0.4, lower_95: 0.3, upper_95: 0.5, probability: 0.97 }],
+    loads: [], probability: 0.97, probability_words: 'probability 97 %', chosen: `the knee ${marks}`, ties: `ties ${marks}`,
+    bounds: `bounds ${marks}`, grid: 'grid', verdict: 'confirmed', verdict_words: 'Confirmed by 2 further runs',
+  };
   page.runs[shown.id] = { scene, record_command: `parapet report DIR --record ${shown.id}` };
   return pageHtml({
     ...page,
     description: `Made for a test. ${marks}`,
     state: 'done',
-    recommendation: { rule: { name: 'knee', words: `the knee ${marks}` }, recommended: shown, front: [], caveats: [`caveat ${marks}`] },
+    recommendation: { page_one: pageOne, rule: { name: 'knee', words: `the knee ${marks}` }, recommended: shown, front: [], caveats: [`caveat ${marks}`] },
     variables: variables.map((key) => ({ name: key, lower: 0, upper: 1 })),
     objectives,
     finest_spacing_m: 0.005,

@@ -126,11 +126,14 @@ test('study: its numbers are those of the JSON files', async () => {
   const { recommended } = advice;
   const expected = [
     ...recommended.variables.filter((one) => one.value !== undefined).map((one) => one.value),
-    ...recommended.objectives.map((one) => one.value),
+    ...['performance', 'limits', 'loads'].flatMap((part) => advice.page_one[part].map((one) => one.mean)),
     ...recommended.constraints.map((one) => one.value),
   ].filter((value) => value !== null);
   assert.deepEqual(await values(page, '#build'), expected);
   assert.match(await page.textContent('#build .headline'), new RegExp(`Build design ${recommended.id}`));
+  // The sentences of page one, the same as in recommendation.md.
+  const built = (await page.textContent('#build')).toLowerCase();
+  for (const part of ['verdict_words', 'probability_words', 'chosen', 'ties', 'bounds', 'grid']) assert.ok(built.includes(advice.page_one[part].toLowerCase()), part);
   const repeats = (advice.confirmation?.runs ?? []).flatMap((run) => run.objectives).filter((value) => value !== null);
   assert.deepEqual((await values(page, '#sure table:has(caption:text("simulated again"))')).slice(0, repeats.length), repeats);
   // The whole table, exported.

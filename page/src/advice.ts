@@ -37,7 +37,7 @@ function performanceTable(lines: PageOneLine[], caption: string): HTMLElement {
           'tr',
           {},
           h('th', { scope: 'row' }, one.label),
-          h('td', { class: 'number' }, valueElement(one.mean, one.text)),
+          h('td', { class: 'number' }, one.mean === null ? one.text : valueElement(one.mean, one.text)),
           h('td', {}, one.asked),
           h('td', { class: 'number' }, one.probability === null ? '' : shareText(one.probability)),
         ),

@@ -12,6 +12,7 @@
 #include "parapet/study/bayesian_problem.hpp"
 #include "parapet/study/quantity.hpp"
 #include "stored_surrogates.hpp"
+#include "surrogate_fits.hpp"
 
 namespace parapet::study {
 namespace {
@@ -36,70 +37,6 @@ RunSamples samples_of(const designs::StudySpec& study, const Quantity& quantity,
     samples.values.push_back(*value);
   }
   return samples;
-}
-
-/// By how much designs left out lie farther off than a process says, at a level; at least 1. Of a
-/// level with fewer than five runs nothing can be said: all runs stand for it.
-double inflation_at(const GaussianProcess& process, int level) {
-  constexpr int fewest = 5;
-  const surrogate::LeaveOneOut left_out = process.leave_one_out();
-  const std::vector<int>& levels = process.data().levels;
-  const bool all = std::ranges::count(levels, level) < fewest;
-  double squares = 0.0, count = 0.0;
-  for (std::size_t k = 0; k < levels.size(); ++k) {
-    const double residual = left_out.residual(static_cast<Eigen::Index>(k));
-    if ((!all && levels[k] != level) || !std::isfinite(residual)) continue;
-    squares += residual * residual;
-    count += 1.0;
-  }
-  return count > 0.0 ? std::max(1.0, std::sqrt(squares / count)) : 1.0;
-}
-
-/// Half of what a value moves by when the model's moves by `deviation` either way.
-double in_unit(const GaussianProcess& process, double z, double deviation) {
-  return 0.5 * (process.from_model(z + deviation) - process.from_model(z - deviation));
-}
-
-/// Mean squares of the difference between two levels at the inputs, in the output's unit.
-Eigen::VectorXd grid_squares(const GaussianProcess& process, const Eigen::MatrixXd& inputs,
-                             int level) {
-  const surrogate::Prediction here = process.predict(inputs, level);
-  const surrogate::Prediction coarser = process.predict(inputs, level + 1);
-  Eigen::VectorXd squares(inputs.rows());
-  for (Eigen::Index k = 0; k < inputs.rows(); ++k) {
-    const Eigen::MatrixXd at = inputs.row(k);
-    const double covariance = process.covariance(at, level, at, level + 1)(0, 0);
-    const double variance =
-        std::max(0.0, here.variance[k] + coarser.variance[k] - 2.0 * covariance);
-    const double apart = process.from_model(here.mean[k]) - process.from_model(coarser.mean[k]);
-    const double deviation = in_unit(process, here.mean[k], std::sqrt(variance));
-    squares[k] = apart * apart + deviation * deviation;
-  }
-  return squares;
-}
-
-/// The process fitted again with a noise at every level of so many standard deviations of all
-/// values.
-GaussianProcess with_noise(const GaussianProcess& process, double noise) {
-  const surrogate::Parameters& parameters = process.parameters();
-  const surrogate::Data& data = process.data();
-  surrogate::FitOptions options;
-  options.transform = parameters.transform.kind;
-  options.warm_start = parameters;
-  options.starts = 2;
-  for (int level = 0; level < process.layout().n_levels; ++level) {
-    // What the fit will turn into `noise` again: it takes the mean slope at the level.
-    double slope = 0.0, anywhere = 0.0, count = 0.0;
-    for (Eigen::Index k = 0; k < data.values.size(); ++k) {
-      const double log_slope = parameters.transform.log_slope(data.values[k]);
-      anywhere += log_slope / static_cast<double>(data.values.size());
-      if (data.levels[static_cast<std::size_t>(k)] != level) continue;
-      slope += log_slope;
-      count += 1.0;
-    }
-    options.known_noise.push_back(noise * std::exp(count > 0.0 ? -slope / count : -anywhere));
-  }
-  return GaussianProcess::fit(process.layout(), data, options);
 }
 
 /// The same on every platform, unlike std::normal_distribution.
@@ -305,7 +242,9 @@ std::vector<SurrogateBelief> StudySurrogates::beliefs_of(const Model& model,
       square[k] += fit.weight * (middle * middle + deviation * deviation);
       noise[k] += fit.weight * of_run * of_run;
     }
-    if (coarser) grid += fit.weight * grid_squares(fit.process, inputs, level);
+    if (!coarser) continue;
+    const Eigen::VectorXd here = grid_squares(fit.process, inputs, level);
+    grid += fit.weight * here.cwiseMax(typical_grid_square(fit.process, level));
   }
   std::vector<SurrogateBelief> list;
   for (Eigen::Index k = 0; k < n; ++k) {

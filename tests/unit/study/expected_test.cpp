@@ -86,6 +86,59 @@ TaughtStudy noisy_study() {
   return taught;
 }
 
+// The search models what is asked of it; the loads are modelled from its log.
+TEST(Expected, LoadsHaveSurrogatesToo) {
+  TaughtStudy taught = noisy_study();
+  taught.teach();
+  const auto list = study::repeat_expectations(taught.study, taught.study.designs[6]);
+  const study::RepeatEstimate force = of(list, Role::load).estimate.value();
+  EXPECT_EQ(force.runs, 1);
+  ASSERT_TRUE(force.lower_95().has_value()) << "one run of a design among twelve others";
+  // 1000 times the retention, a straight line in the height without scatter.
+  EXPECT_NEAR(force.mean, 1000.0 * (0.6 + 0.2 * 6.0 / 11.0), 10.0);
+}
+
+// Where two spacings agree by chance nothing has converged: the difference passes through 0 there.
+TEST(Expected, GridUncertaintyIsThatOfTheStudyAtLeast) {
+  TaughtStudy taught({0.01, 0.02}, 0.5, 0.002, 0.002);
+  for (int k = 0; k < 24; ++k) {
+    const double s = k % 12 / 11.0, a = (7 * k % 12) / 11.0;
+    const bool fine = k < 12;
+    const double change = fine ? 0.0 : 0.2 * (s - 0.5);
+    taught.add(0.04 + 0.06 * s, 60.0 * a, fine ? 0.01 : 0.02, 0.6 + 0.2 * s + change, 0.1);
+  }
+  taught.teach();
+  const study::Expectation middle =
+      of(study::repeat_expectations(taught.study, taught.study.designs[5]), Role::objective);
+  EXPECT_EQ(middle.estimate->grid_source, study::GridSource::levels);
+  // At s = 0.45 the spacings differ by 0.01; over the study the root mean square is 0.063.
+  EXPECT_NEAR(middle.estimate->grid.value(), 0.063, 0.01);
+}
+
+TEST(Surrogates, LeaveOneOutIntervalsHoldPossibleValues) {
+  TaughtStudy taught({0.01}, 0.5);
+  for (int k = 0; k < 12; ++k) {
+    const double s = k / 11.0;
+    // Half of the designs retain everything and throw nothing.
+    taught.add(0.04 + 0.06 * s, 60.0 * (7 * k % 12) / 11.0, 0.01, std::min(1.0, 0.8 + 0.4 * s),
+               std::max(0.0, 0.1 - 0.2 * s));
+  }
+  const designs::Json json = taught.teach();
+  bool any_at_end = false;
+  for (const designs::Json& metric : json["metrics"]) {
+    const bool share = metric["metric"] == "retention_efficiency";
+    for (const char* key : {"mean", "lower_95", "upper_95"}) {
+      for (const designs::Json& one : metric["surrogate"]["leave_one_out"][key]) {
+        const double value = one.get<double>();
+        EXPECT_GE(value, 0.0) << metric["name"] << " " << key;
+        EXPECT_TRUE(!share || value <= 1.0) << key;
+        any_at_end = any_at_end || value == 0.0 || (share && value == 1.0);
+      }
+    }
+  }
+  EXPECT_TRUE(any_at_end) << "the normal distribution went beyond";
+}
+
 TEST(Ties, GoToTheDesignWithMoreMargin) {
   TaughtStudy taught = noisy_study();
   // 0.005 apart at a noise of 0.01: not to be told apart. The better one all but breaks the limit.

@@ -88,7 +88,7 @@ void TaughtStudy::confirm(const std::string& id, const std::string& role, const 
   study.confirmations.push_back(std::move(one));
 }
 
-void TaughtStudy::teach() {
+designs::Json TaughtStudy::teach() {
   const study::SearchProblem problem = study::make_search_problem(study.spec);
   bayesian::Search search(problem.problem, study::make_search_options(study.spec));
   for (const records::EvaluationRecord& one : study.designs) {
@@ -96,8 +96,9 @@ void TaughtStudy::teach() {
                          study::level_of(problem, one.spacing).value(),
                          study::observation(study.spec, problem, one));
   }
-  study.surrogates = study::StudySurrogates::of(
-      study.spec, study::surrogates_json(study.spec, problem, search), study.designs);
+  designs::Json json = study::surrogates_json(study.spec, problem, search);
+  study.surrogates = study::StudySurrogates::of(study.spec, json, study.designs);
+  return json;
 }
 
 }  // namespace parapet::test

@@ -24,8 +24,8 @@ class TaughtStudy {
   /// A run of confirmations.jsonl of that design: `role` as in "near-1".
   void confirm(const std::string& id, const std::string& role, const std::string& stage,
                double spacing, double retention, double launch);
-  /// Fits the surrogates to the designs, as `parapet optimize` does.
-  void teach();
+  /// Fits the surrogates to the designs, as `parapet optimize` does; returns surrogates.json.
+  designs::Json teach();
 
   study::LoadedStudy study;
 };

@@ -14,8 +14,9 @@ struct SurrogateBelief {
   double deviation = 0.0;      ///< s.d. of the noise-free value
   double noise = 0.0;          ///< s.d. of a run about it
   double noise_freedom = 2.0;  ///< degrees of freedom of that s.d.
-  /// Root mean square of the difference between this spacing and the next coarser one at this
-  /// design; empty: the study has no coarser spacing.
+  /// Root mean square of the difference between this spacing and the next coarser one, at this
+  /// design or over the study's runs at this spacing, whichever is more: where it passes through 0
+  /// nothing has converged. Empty: the study has no coarser spacing.
   std::optional<double> grid = {};
 };
 
@@ -63,8 +64,8 @@ struct RepeatEstimate {
 /// The estimate from all that is known; empty without a surrogate and without a run.
 ///
 /// Scatter: the surrogate's noise and the squares of the runs about their mean, pooled by their
-/// degrees of freedom; where that is more than the surrogate's noise, its doubt of the mean grows by
-/// the same factor. Mean: the surrogate's and the later runs', by their precisions; without a
+/// degrees of freedom; where that is more than the surrogate's noise, its doubt of the mean grows
+/// by the same factor. Mean: the surrogate's and the later runs', by their precisions; without a
 /// surrogate the mean of all runs. The study's own run was chosen for being good: it counts through
 /// the surrogate alone where there is one. Grid: the difference to the run at another spacing, else
 /// between the surrogate's spacings, as one standard uncertainty. Degrees of freedom by
