@@ -53,9 +53,9 @@ struct RepeatEstimate {
 
   /// Root of the sum of squares of scatter, mean's and grid's; empty without a scatter.
   std::optional<double> standard_uncertainty() const;
-  /// Ends of the 95 % interval, never impossible values; empty without a scatter.
+  /// The ends of the 95 % interval, never impossible values; empty without a scatter.
   std::optional<double> lower_95() const;
-  std::optional<double> upper_95() const;
+  std::optional<double> upper_95() const;  ///< likewise
   /// Probability that one more run lies within; empty without a scatter.
   std::optional<double> probability_within(const std::optional<double>& lower,
                                            const std::optional<double>& upper) const;

@@ -21,7 +21,8 @@ namespace parapet::study {
 /// Which quantity of a study: the objective of that number, or the limit of that number (limits of
 /// constraints on metrics, in the order of constraint_quantities over the spec's constraints).
 struct GoalPlace {
-  enum class Kind { objective, limit };  ///< what the number counts
+  /// What the number counts.
+  enum class Kind { objective, limit };
   Kind kind = Kind::objective;
   std::size_t number = 0;
 };
