@@ -25,7 +25,7 @@ struct LeaveOneEventOut {
 
 /// A statistic over the distribution, for one design.
 struct DistributionStatistic {
-  double value = 0.0;                     ///< of n_event_draws events, on the surrogates' means
+  double value = 0.0;  ///< median: of n_event_draws events on the means, and what draws add
   double lower_95 = 0.0, upper_95 = 0.0;  ///< what the surrogates leave open of it
 };
 
