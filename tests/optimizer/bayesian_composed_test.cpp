@@ -148,6 +148,36 @@ TEST(ComposedEstimate, AgreesWithTheNormalDistribution) {
   EXPECT_NEAR(found.share_within, 0.8413, 0.01);
 }
 
+// Values that are known better are taken up by history, front and surrogates, and composed metrics
+// follow their inputs.
+TEST(RevisedValues, ReplaceWhatWasTold) {
+  Search search(composed_problem(), budget(10));
+  std::vector<std::vector<std::optional<double>>> better;
+  for (int k = 0; k < 6; ++k) {
+    const Point x{0.3 * k, 2.0 - 0.3 * k};
+    search.tell_external(x, 0, {.ok = true, .values = {0.0, 0.0, std::nullopt}, .seconds = 1.0});
+    better.push_back({first(x), second(x), std::nullopt});
+  }
+  search.assessed();  // has looked before
+  search.revise(better);
+  for (const Assessed& one : search.assessed()) {
+    EXPECT_EQ(*one.values[0], first(one.x));
+    EXPECT_EQ(*one.values[2], distance_of(first(one.x), second(one.x)));
+    EXPECT_NEAR(one.estimate[0], first(one.x), 0.05);
+  }
+  Search fresh(composed_problem(), budget(10));
+  for (int k = 0; k < 6; ++k) {
+    fresh.tell_external(
+        {0.3 * k, 2.0 - 0.3 * k}, 0,
+        {.ok = true, .values = better[static_cast<std::size_t>(k)], .seconds = 1.0});
+  }
+  EXPECT_EQ(search.history().back().hypervolume, fresh.history().back().hypervolume);
+  EXPECT_EQ(search.reference(), fresh.reference());
+  EXPECT_EQ(search.ask()->x, fresh.ask()->x);
+  better.pop_back();
+  EXPECT_THROW(search.revise(better), std::invalid_argument);
+}
+
 TEST(ComposedObjective, MustBeComposedOfWhatIsModelled) {
   Problem problem = composed_problem();
   problem.metrics[2].composition.inputs = {0, 2};

@@ -22,15 +22,15 @@ bool Models::due(std::size_t n_data, std::size_t& fitted_at) const {
   return true;
 }
 
-void Models::update(const std::vector<Told>& told) {
+void Models::update(const std::vector<Told>& told, bool revised) {
   for (std::size_t metric = 0; metric < processes_.size(); ++metric) {
     const Metric& spec = problem_.metrics[metric];
-    if (!spec.exact && !spec.is_composed()) update_process(metric, told);
+    if (!spec.exact && !spec.is_composed()) update_process(metric, told, revised);
   }
   update_success(told);
 }
 
-void Models::update_process(std::size_t metric, const std::vector<Told>& told) {
+void Models::update_process(std::size_t metric, const std::vector<Told>& told, bool revised) {
   std::vector<Point> xs;
   surrogate::Data data;
   std::vector<double> values;
@@ -42,7 +42,8 @@ void Models::update_process(std::size_t metric, const std::vector<Told>& told) {
   }
   auto& process = processes_[metric];
   if (values.empty() ||
-      (process && process->data().values.size() == static_cast<Eigen::Index>(values.size()))) {
+      (process && !revised &&
+       process->data().values.size() == static_cast<Eigen::Index>(values.size()))) {
     return;
   }
   data.inputs = problem_.space.features(xs);

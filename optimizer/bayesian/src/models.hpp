@@ -17,7 +17,8 @@ class Models {
   /// Brings the surrogates up to date with what was told. Parameters are fitted anew while there
   /// are few data, and later each time the data have grown by a twentieth (many: a tenth); in
   /// between the processes are conditioned on the new data with the parameters that they have.
-  void update(const std::vector<Told>& told);
+  /// `revised`: values of what was told before are others now.
+  void update(const std::vector<Told>& told, bool revised = false);
 
   /// Null for an exact or composed metric and for one without data.
   const surrogate::GaussianProcess* process(std::size_t metric) const {
@@ -30,7 +31,7 @@ class Models {
 
  private:
   bool due(std::size_t n_data, std::size_t& fitted_at) const;
-  void update_process(std::size_t metric, const std::vector<Told>& told);
+  void update_process(std::size_t metric, const std::vector<Told>& told, bool revised);
   void update_success(const std::vector<Told>& told);
 
   const Problem& problem_;

@@ -85,6 +85,11 @@ int Search::tell_external(const Point& x, int level, const Observation& observat
                           observation);
 }
 
+void Search::revise(const std::vector<std::vector<std::optional<double>>>& values) {
+  const Stopwatch stopwatch(state_->own_time);
+  state_->revise(values);
+}
+
 StopReason Search::stop_reason() const {
   return state_->stop;
 }

@@ -44,6 +44,37 @@ std::optional<double> Search::State::composed(std::size_t metric, const Told& t)
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+/// Exact and composed metrics; what is not finite is no value.
+void Search::State::fill_in(Told& t) const {
+  t.values.resize(problem.metrics.size());
+  for (std::size_t metric = 0; metric < t.values.size(); ++metric) {
+    const auto& exact = problem.metrics[metric].exact;
+    if (exact) t.values[metric] = exact(t.x);
+    if (t.values[metric] && !std::isfinite(*t.values[metric])) t.values[metric].reset();
+  }
+  for (std::size_t metric = 0; metric < t.values.size(); ++metric) {
+    if (problem.metrics[metric].is_composed()) t.values[metric] = composed(metric, t);
+  }
+}
+
+void Search::State::revise(const std::vector<std::vector<std::optional<double>>>& values) {
+  const bool fits = values.size() == told.size() &&
+                    std::all_of(values.begin(), values.end(), [&](const auto& one) {
+                      return one.size() == problem.metrics.size();
+                    });
+  if (!fits) throw std::invalid_argument("a revision needs the values of all that was told");
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    if (!told[k].ok) continue;
+    told[k].values = values[k];
+    fill_in(told[k]);
+  }
+  revised = true;
+  view.reset();
+  round.reset();
+  history_reference.resize(0);  // all of the history is another
+  if (!told.empty()) update_history();
+}
+
 int Search::State::add_told(int id, const Point& x, int level, const Observation& observation) {
   Told t{.id = id,
          .x = x,
@@ -51,15 +82,7 @@ int Search::State::add_told(int id, const Point& x, int level, const Observation
          .ok = observation.ok,
          .values = observation.values,
          .seconds = observation.seconds};
-  t.values.resize(problem.metrics.size());
-  for (std::size_t metric = 0; metric < t.values.size(); ++metric) {
-    const auto& exact = problem.metrics[metric].exact;
-    if (exact) t.values[metric] = exact(x);
-    if (t.values[metric] && !std::isfinite(*t.values[metric])) t.values[metric].reset();
-  }
-  for (std::size_t metric = 0; metric < t.values.size(); ++metric) {
-    if (problem.metrics[metric].is_composed()) t.values[metric] = composed(metric, t);
-  }
+  fill_in(t);
   spent += observation.seconds;
   told.push_back(std::move(t));
   update_history();
@@ -95,15 +118,16 @@ void Search::State::update_history() {
 }
 
 void Search::State::update_models() {
-  models.update(told);
+  models.update(told, revised);
   modelled = told.size();
+  revised = false;
 }
 
 const Models& Search::State::up_to_date() {
-  if (modelled == told.size()) return models;
+  if (modelled == told.size() && !revised) return models;
   if (!view || viewed != told.size()) {
     view.emplace(models);
-    view->update(told);
+    view->update(told, revised);
     viewed = told.size();
   }
   return *view;

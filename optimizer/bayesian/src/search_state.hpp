@@ -60,6 +60,7 @@ struct Search::State {
   std::optional<Models> view;
   std::size_t viewed = 0;    // told then
   std::size_t modelled = 0;  // told when `models` was last updated
+  bool revised = false;      // what was told has other values since
   std::unique_ptr<Round> round;
   StopReason stop = StopReason::none;
   double last_gain = std::numeric_limits<double>::infinity();  // expected of the last global one
@@ -73,6 +74,8 @@ struct Search::State {
   void check_point(const Point& x, int level, const Observation& observation) const;
   std::optional<double> composed(std::size_t metric, const Told& t) const;
   int add_told(int id, const Point& x, int level, const Observation& observation);
+  void fill_in(Told& t) const;
+  void revise(const std::vector<std::vector<std::optional<double>>>& values);
   void update_history();
   void update_models();
   const Models& up_to_date();

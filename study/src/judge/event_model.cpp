@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "parapet/solver/metric_catalog.hpp"
-#include "parapet/study/bayesian_problem.hpp"
 
 namespace parapet::study {
 namespace {
@@ -95,7 +94,7 @@ std::vector<Quantity> event_quantities(const designs::StudySpec& study) {
 }
 
 EventModel::EventModel(const designs::StudySpec& study,
-                       const std::vector<records::EvaluationRecord>& records)
+                       const std::vector<records::EvaluationRecord>& records, int starts)
     : study_(study), space_(make_space(study)) {
   if (!has_distribution(study)) return;
   layout_ = space_.layout();
@@ -106,7 +105,7 @@ EventModel::EventModel(const designs::StudySpec& study,
   events_ = scaled_events(study, false);
   draws_ = scaled_events(study, true);
   collect(records);
-  fit();
+  fit(starts);
 }
 
 Eigen::MatrixXd EventModel::inputs(const designs::Design& design, std::size_t n_events) const {
@@ -148,7 +147,7 @@ void EventModel::collect(const std::vector<records::EvaluationRecord>& records) 
   }
 }
 
-void EventModel::fit() {
+void EventModel::fit(int starts) {
   for (const auto& [key, rows] : rows_) {
     if (rows.size() < fewest_simulations) continue;
     std::vector<Eigen::RowVectorXd> at;
@@ -159,6 +158,7 @@ void EventModel::fit() {
     }
     surrogate::FitOptions options;
     options.seed = study_.method.seed;
+    options.starts = starts;
     processes_.emplace(key, surrogate::GaussianProcess::fit(layout_, data_of(at, values), options));
   }
 }
@@ -192,6 +192,42 @@ std::optional<double> EventModel::of_events(const Quantity& quantity, const desi
     if (!std::isfinite(results[e])) return std::nullopt;
   }
   return statistic_of(quantity, results, weights);
+}
+
+std::optional<double> EventModel::value(const Quantity& quantity, const designs::Design& design,
+                                        std::size_t n_events) const {
+  std::vector<Eigen::VectorXd> means;
+  for (const Key& key : keys_of(quantity)) {
+    const auto found = processes_.find(key);
+    if (found == processes_.end()) return std::nullopt;
+    means.push_back(found->second.predict_mean(inputs(design, n_events)).unaryExpr([&](double z) {
+      return possible(found->second.from_model(z), key);
+    }));
+  }
+  return of_events(quantity, design, means);
+}
+
+void revise_statistics(const designs::StudySpec& study, const SearchProblem& problem,
+                       const std::vector<records::EvaluationRecord>& told,
+                       bayesian::Search& search) {
+  constexpr std::size_t n_events = 500;  // a quarter of what results state: the search asks often
+  if (!has_distribution(study)) return;
+  const EventModel model(study, told, 1);
+  if (model.n_designs() < fewest_event_designs) return;
+  const double spacing = designs::finest_spacing(study);
+  std::vector<std::vector<std::optional<double>>> values;
+  for (const records::EvaluationRecord& record : told) {
+    values.push_back(observation(study, problem, record).values);
+    if (!record.ok || record.spacing != spacing) continue;
+    for (std::size_t k = 0; k < problem.metrics.size(); ++k) {
+      const Quantity& quantity = problem.metrics[k].quantity;
+      if (!problem.metrics[k].expression.empty() || !values.back()[k]) continue;
+      if (const auto better = model.value(quantity, record.design, n_events)) {
+        values.back()[k] = better;
+      }
+    }
+  }
+  search.revise(values);
 }
 
 std::optional<DistributionStatistic> EventModel::statistic(const Quantity& quantity,
@@ -229,15 +265,17 @@ std::optional<DistributionStatistic> EventModel::statistic(const Quantity& quant
     return drawn[static_cast<std::size_t>(
         std::lround(share * static_cast<double>(drawn.size() - 1)))];
   };
-  // From the statistic of the fewer events to that of all.
-  result.lower_95 = std::min(*value, *value + at(0.025) - *middle);
-  result.upper_95 = std::max(*value, *value + at(0.975) - *middle);
-  if (quantity.statistic == designs::Statistic::probability) {
-    result.lower_95 = std::max(0.0, result.lower_95);
-    result.upper_95 = std::min(1.0, result.upper_95);
-  } else if (quantity.expression.empty()) {
-    result.lower_95 = possible(result.lower_95, keys[0]);
-    result.upper_95 = possible(result.upper_95, keys[0]);
+  // From the statistic of the fewer events to that of all. Means vary less from event to event than
+  // the metric does: the draws move a quantile outwards.
+  result.value = *value + at(0.5) - *middle;
+  result.lower_95 = *value + at(0.025) - *middle;
+  result.upper_95 = *value + at(0.975) - *middle;
+  for (double* one : {&result.value, &result.lower_95, &result.upper_95}) {
+    if (quantity.statistic == designs::Statistic::probability) {
+      *one = std::clamp(*one, 0.0, 1.0);
+    } else if (quantity.expression.empty()) {
+      *one = possible(*one, keys[0]);
+    }
   }
   return result;
 }

@@ -53,6 +53,7 @@ void set_bounds(const Quantity& quantity, bayesian::Metric& metric) {
     metric.greatest = 1.0;
     return;
   }
+  if (!quantity.expression.empty()) return;
   if (const auto info = solver::find_metric_info(quantity.metric)) {
     metric.least = info->least;
     metric.greatest = info->greatest;
@@ -113,9 +114,12 @@ class MetricList {
       : study_(study), result_(result), catalog_(solver::metric_catalog(barrier_count(study))) {}
 
   std::size_t of(Quantity quantity) {
-    if (!quantity.expression.empty()) return of_metrics(std::move(quantity));
+    // Over a distribution the metrics are modelled by design and event (EventModel), and what is
+    // told of an expression is its statistic.
+    const bool over_distribution = !study_.event_variables.empty() && study_.scenarios.size() > 1;
+    if (!quantity.expression.empty() && !over_distribution) return of_metrics(std::move(quantity));
     // Where there is always a value, two goals differ in nothing by what they say of its absence.
-    if (!may_not_exist(quantity.metric)) {
+    if (quantity.expression.empty() && !may_not_exist(quantity.metric)) {
       quantity.absent_is_good = false;
       quantity.value_when_absent.reset();
     }
@@ -339,7 +343,8 @@ bayesian::Observation observation(const designs::StudySpec& study, const SearchP
         problem.problem.metrics[k].is_composed()) {
       continue;
     }
-    const QuantityValue found = quantity_value(problem.metrics[k].quantity, events);
+    const QuantityValue found =
+        quantity_value(study, problem.metrics[k].quantity, record.design, events);
     result.values[k] = found.value;
     // a run that could not tell is no satisfied limit
     result.ok = result.ok && !found.unknown;

@@ -18,6 +18,17 @@ BayesianSource::BayesianSource(const StudyContext& context, const SearchProblem&
   std::reverse(unfinished_.begin(), unfinished_.end());
 }
 
+void BayesianSource::keep(const records::EvaluationRecord& record) {
+  if (has_distribution(context_.study)) known_.push_back(record);
+}
+
+/// What is told so far says more of the statistics of each design.
+void BayesianSource::revise() {
+  if (known_.size() == revised_) return;
+  revised_ = known_.size();
+  revise_statistics(context_.study, problem_, known_, search_);
+}
+
 void BayesianSource::tell_record(const records::EvaluationRecord& record) {
   const auto level = level_of(problem_, record.spacing);
   const bool fits =
@@ -25,6 +36,7 @@ void BayesianSource::tell_record(const records::EvaluationRecord& record) {
   if (!fits) return;
   search_.tell_external(to_point(context_.study, record.design), *level,
                         observation(context_.study, problem_, record));
+  keep(record);
 }
 
 void BayesianSource::tell_log() {
@@ -49,6 +61,7 @@ bool BayesianSource::tell_next() {
   const auto found = answers_.find(told_);
   if (found == answers_.end()) return false;
   search_.tell(questions_[told_].value(), observation(context_.study, problem_, found->second));
+  keep(found->second);
   answers_.erase(found);
   ++told_;
   return true;
@@ -69,6 +82,7 @@ bool BayesianSource::within_budget() const {
 }
 
 std::optional<Proposal> BayesianSource::ask() {
+  revise();
   const auto suggestion = search_.ask();
   if (!suggestion) return std::nullopt;
   Proposal proposal;
@@ -138,20 +152,23 @@ void BayesianSource::answered(std::size_t number, const records::EvaluationRecor
     answers_.emplace(number, record);
   } else if (questions_[number]) {
     search_.tell(*questions_[number], observation(context_.study, problem_, record));
+    keep(record);
   } else {
     tell_record(record);
   }
 }
 
 void BayesianSource::finish() {
-  if (order_ == AnswerOrder::as_they_come) return;
+  if (order_ == AnswerOrder::as_they_come) return revise();
   while (tell_next()) {
   }
   // A stop may have left a gap.
   for (const auto& [number, record] : answers_) {
     search_.tell(questions_[number].value(), observation(context_.study, problem_, record));
+    keep(record);
   }
   answers_.clear();
+  revise();
 }
 
 std::size_t open_questions(int jobs, std::size_t events) {

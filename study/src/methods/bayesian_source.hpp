@@ -8,6 +8,7 @@
 
 #include "design_source.hpp"
 #include "parapet/study/bayesian_problem.hpp"
+#include "parapet/study/event_model.hpp"
 #include "parapet/study/study_context.hpp"
 
 namespace parapet::study {
@@ -40,6 +41,8 @@ class BayesianSource : public DesignSource {
   void finish();
 
  private:
+  void keep(const records::EvaluationRecord& record);
+  void revise();
   void tell_record(const records::EvaluationRecord& record);
   void tell_log();
   void tell_log_before(const Proposal& proposal);
@@ -61,8 +64,11 @@ class BayesianSource : public DesignSource {
   std::map<std::pair<designs::Design, double>, std::size_t> resumed_;
   std::vector<std::optional<int>> questions_;  // the search's id by number; empty: not its question
   std::map<std::size_t, records::EvaluationRecord> answers_;  // not told yet, by number
-  std::size_t open_ = 0;                                      // proposals without an answer
-  std::size_t told_ = 0;                                      // answers told in order
+  std::vector<records::EvaluationRecord> known_;  // what the search was told, in order; only of a
+                                                  // study with a distribution of events
+  std::size_t revised_ = 0;                       // of these when statistics were last revised
+  std::size_t open_ = 0;                          // proposals without an answer
+  std::size_t told_ = 0;                          // answers told in order
   std::size_t needed_ = 0;  // answers that must be told before the next question
 };
 

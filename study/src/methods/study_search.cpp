@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "parapet/study/event_model.hpp"
 #include "parapet/study/problem.hpp"
 
 namespace parapet::study {
@@ -30,6 +31,10 @@ StudySearch::StudySearch(designs::StudySpec study)
       search_(problem_.problem, make_search_options(*study_)) {}
 
 std::optional<AskedDesign> StudySearch::ask() {
+  if (has_distribution(*study_) && records_.size() != revised_) {
+    revised_ = records_.size();
+    revise_statistics(*study_, problem_, records_, search_);
+  }
   const auto suggestion = search_.ask();
   if (!suggestion) return std::nullopt;
   AskedDesign asked{.id = suggestion->id,

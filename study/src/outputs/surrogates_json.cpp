@@ -141,6 +141,7 @@ Json metric_json(const SearchProblem& problem, std::size_t metric,
     return json;
   }
   json["metric"] = what.quantity.metric;
+  if (!what.quantity.expression.empty()) json["expression"] = what.quantity.expression;
   if (!what.quantity.event.empty()) json["event"] = what.quantity.event;
   json["statistic"] = statistic_name(what.quantity.statistic);
   json["quantile"] = what.quantity.quantile;

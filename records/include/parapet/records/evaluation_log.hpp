@@ -83,7 +83,7 @@ struct EvaluationRecord {
   std::string git_revision;               ///< likewise
   int physics = 0;                        ///< its solver::physics_number; 0: not known
   std::vector<solver::Warning> warnings;  ///< of all its simulations, each key once, the worst
-  std::vector<TermRecord> terms;          ///< of the study; empty when failed
+  std::vector<TermRecord> terms;          ///< of the study; empty where a simulation failed
 };
 
 /// A design that the constraints on formulas refused: it was not simulated.

@@ -33,7 +33,9 @@ bayesian::Space make_space(const designs::StudySpec& study);
 /// formulas of the design among the constraints are cheap constraints; those among the objectives
 /// are exact metrics, and a design at which one is not finite is refused. An expression of metrics
 /// is composed: each of its metrics is one of the search's, in each event its own, and the
-/// expression, with its statistic over the events, is evaluated on what their surrogates say.
+/// expression, with its statistic over the events, is evaluated on what their surrogates say. Where
+/// the events are drawn from distributions its statistic is told instead, and so are those of
+/// metrics: see revise_statistics.
 /// `study` must outlive the problem.
 ///
 /// Levels: cost from the spec, else expected_seconds; times the number of events. Known noise: of

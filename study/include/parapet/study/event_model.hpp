@@ -9,6 +9,7 @@
 #include "parapet/bayesian/space.hpp"
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/records/evaluation_log.hpp"
+#include "parapet/study/bayesian_problem.hpp"
 #include "parapet/study/quantity.hpp"
 #include "parapet/surrogate/gaussian_process.hpp"
 
@@ -24,7 +25,7 @@ struct LeaveOneEventOut {
 
 /// A statistic over the distribution, for one design.
 struct DistributionStatistic {
-  double value = 0.0;                     ///< of n_event_draws events, on the surrogates' means
+  double value = 0.0;  ///< median: of n_event_draws events on the means, and what draws add
   double lower_95 = 0.0, upper_95 = 0.0;  ///< what the surrogates leave open of it
 };
 
@@ -37,8 +38,9 @@ class EventModel {
   using Key = std::pair<std::string, std::optional<double>>;
 
   /// `study` must outlive it.
-  EventModel(const designs::StudySpec& study,
-             const std::vector<records::EvaluationRecord>& records);
+  /// @param starts of each surrogate's fit
+  EventModel(const designs::StudySpec& study, const std::vector<records::EvaluationRecord>& records,
+             int starts = 4);
 
   /// Whether there is anything to model: event variables, and enough simulations of each metric.
   bool empty() const { return processes_.empty(); }
@@ -48,6 +50,10 @@ class EventModel {
 
   /// The metrics with surrogates, in order.
   const std::map<Key, surrogate::GaussianProcess>& processes() const { return processes_; }
+
+  /// The value alone, over the first so many of the drawn events.
+  std::optional<double> value(const Quantity& quantity, const designs::Design& design,
+                              std::size_t n_events = designs::n_event_draws) const;
 
   /// Empty where a metric that the quantity hangs on has no surrogate.
   std::optional<DistributionStatistic> statistic(const Quantity& quantity,
@@ -63,7 +69,7 @@ class EventModel {
   };
 
   void collect(const std::vector<records::EvaluationRecord>& records);
-  void fit();
+  void fit(int starts);
   Eigen::MatrixXd inputs(const designs::Design& design, std::size_t n_events) const;
   std::optional<double> of_events(const Quantity& quantity, const designs::Design& design,
                                   const std::vector<Eigen::VectorXd>& values) const;
@@ -77,6 +83,17 @@ class EventModel {
   std::map<Key, surrogate::GaussianProcess> processes_;
   std::size_t n_designs_ = 0;
 };
+
+/// Fewest designs from which statistics over the distribution are estimated.
+constexpr std::size_t fewest_event_designs = 4;
+
+/// Tells a search of a study with a distribution what the surrogates of design and event say, after
+/// all that was told, of the statistics of each design at the finest spacing: in the place of those
+/// over the simulated events. Does nothing while there are fewer than fewest_event_designs.
+/// @param told what the search was told, in order
+void revise_statistics(const designs::StudySpec& study, const SearchProblem& problem,
+                       const std::vector<records::EvaluationRecord>& told,
+                       bayesian::Search& search);
 
 /// The quantities of a study that are statistics over events, of objectives first.
 std::vector<Quantity> event_quantities(const designs::StudySpec& study);

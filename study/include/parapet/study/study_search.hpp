@@ -66,6 +66,7 @@ class StudySearch {
   bayesian::Search search_;
   std::map<int, AskedDesign> asked_;  // not told yet
   std::vector<records::EvaluationRecord> records_;
+  std::size_t revised_ = 0;  // of these when statistics over a distribution were last revised
 };
 
 }  // namespace parapet::study

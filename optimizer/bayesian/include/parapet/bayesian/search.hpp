@@ -116,6 +116,12 @@ class Search {
   /// An evaluation made elsewhere (a log): counts like one that was asked. Returns its id.
   int tell_external(const Point& x, int level, const Observation& observation);
 
+  /// What was told is known better now: values [n_told] of [n_metrics] in the order of telling, as
+  /// in Observation; those of evaluations that failed mean nothing. The surrogates follow at the
+  /// next question.
+  /// @throws std::invalid_argument for a wrong number of either.
+  void revise(const std::vector<std::vector<std::optional<double>>>& values);
+
   StopReason stop_reason() const;  ///< none while it goes on
   int evaluations() const;         ///< told so far
   double seconds() const;          ///< sum of their costs
