@@ -59,8 +59,8 @@ surrogate::Parameters parameters_of(const Json& json) {
   return parameters;
 }
 
-/// Fits surrogates to what is logged, statistics being those of the simulated events; null when that
-/// is too little.
+/// Fits surrogates to what is logged, statistics being those of the simulated events; null when
+/// that is too little.
 Json fitted_surrogates(const designs::StudySpec& study, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return nullptr;
   const SearchProblem problem = make_search_problem(study);
