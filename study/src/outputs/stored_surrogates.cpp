@@ -7,7 +7,6 @@
 #include "parapet/records/hashes.hpp"
 #include "parapet/records/whole_number.hpp"
 #include "parapet/study/bayesian_problem.hpp"
-#include "parapet/study/event_model.hpp"
 #include "parapet/study/front.hpp"
 #include "parapet/study/sensitivity.hpp"
 
@@ -60,22 +59,20 @@ surrogate::Parameters parameters_of(const Json& json) {
   return parameters;
 }
 
-/// Fits surrogates to what is logged; null when that is too little.
+/// Fits surrogates to what is logged, statistics being those of the simulated events; null when
+/// that is too little.
 Json fitted_surrogates(const designs::StudySpec& study, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return nullptr;
   const SearchProblem problem = make_search_problem(study);
   bayesian::Search search(problem.problem, make_search_options(study));
-  std::vector<records::EvaluationRecord> told;
   int good = 0;
   for (const records::EvaluationRecord& record : records::read_evaluation_log(file).records) {
     const std::optional<int> level = level_of(problem, record.spacing);
     if (!level || !designs::check_design(study, record.design, "").empty()) continue;
     search.tell_external(to_point(study, record.design), *level,
                          observation(study, problem, record));
-    told.push_back(record);
     good += record.ok ? 1 : 0;
   }
-  revise_statistics(study, problem, told, search);
   return good < fewest_designs ? Json() : surrogates_json(study, problem, search);
 }
 
