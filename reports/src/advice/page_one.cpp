@@ -96,7 +96,8 @@ std::string chosen_words(const RuleFacts& rule) {
   return words;
 }
 
-std::string tie_words(const RuleFacts& rule, const std::string& recommended) {
+std::string tie_words(const Recommendation& advice, const std::string& recommended) {
+  const RuleFacts& rule = advice.rule;
   if (rule.draws == 0) return "ties: not known (the study has no surrogate)";
   if (rule.ties.empty())
     return "ties: none; to each other design the rule prefers this one in 95 % of the draws";
@@ -110,10 +111,15 @@ std::string tie_words(const RuleFacts& rule, const std::string& recommended) {
     names.push_back(fmt::format("{} ({:.0f} %)", one.id, 100.0 * one.share));
   }
   std::string words = "ties: the data cannot tell it from " + joined(names);
-  if (rule.first_by_rule != recommended) {
-    words +=
-        fmt::format("; it has more margin than {}, which the rule puts first", rule.first_by_rule);
-  }
+  if (rule.first_by_rule == recommended) return words;
+  const bool refuted =
+      advice.confirmation &&
+      std::ranges::count(advice.confirmation->refuted, rule.first_by_rule, &RefutedDesign::id) > 0;
+  words += refuted
+               ? fmt::format("; {}, which the rule puts first, did not hold when simulated again",
+                             rule.first_by_rule)
+               : fmt::format("; it has more margin than {}, which the rule puts first",
+                             rule.first_by_rule);
   return words;
 }
 
@@ -198,7 +204,7 @@ PageOne page_one(const Recommendation& advice) {
   page.probability = recommended.probability_feasible;
   page.probability_words = limits_words(advice);
   page.chosen = chosen_words(advice.rule);
-  page.ties = tie_words(advice.rule, page.design);
+  page.ties = tie_words(advice, page.design);
   page.bounds = bound_words(recommended.design);
   page.grid = grid_words(advice);
   page.verdict = verdict_word(advice);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parapet/study/expected.hpp"
+#include "parapet/study/quantity.hpp"
 
 namespace parapet::study {
 namespace {
@@ -17,6 +18,16 @@ std::optional<RepeatEstimate> for_run(const std::optional<RepeatEstimate>& predi
   return here;
 }
 
+/// Of an expression of metrics what the pick itself would have with the run's metrics: that a
+/// design near it has longer plates is no surprise.
+std::optional<double> value_for(const designs::StudySpec& study, std::size_t j, const Pick& pick,
+                                const records::EvaluationRecord& run) {
+  const designs::Objective& objective = study.objectives[j];
+  if (!objective.metric.empty() || objective.is_of_design()) return run.objectives[j].value;
+  return quantity_value(study, objective_quantity(study, objective), pick.design, events_of(run))
+      .value;
+}
+
 }  // namespace
 
 std::vector<std::size_t> worse_than_predicted(const designs::StudySpec& study, const Pick& pick,
@@ -26,7 +37,7 @@ std::vector<std::size_t> worse_than_predicted(const designs::StudySpec& study, c
       std::min({pick.predicted.size(), run.objectives.size(), study.objectives.size()});
   for (std::size_t j = 0; j < count; ++j) {
     const auto prediction = for_run(pick.predicted[j], pick, run);
-    const auto& value = run.objectives[j].value;
+    const auto value = value_for(study, j, pick, run);
     if (!prediction || !value) continue;
     const bool low = *value < prediction->lower_95().value();
     const bool high = *value > prediction->upper_95().value();

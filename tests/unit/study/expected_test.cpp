@@ -202,5 +202,52 @@ TEST(Predicted, FormulasAloneConfirmNothing) {
   EXPECT_EQ(study::verdict_of("0001", {run}), study::Verdict::none);
 }
 
+/// A cost of the height and of the load, which falls with the retention; runs scatter by 0.0004.
+TaughtStudy costed_study() {
+  TaughtStudy taught({0.01}, 0.3, 0.01, 0.01);
+  designs::Objective& cost = taught.study.spec.objectives.front();
+  cost = {};
+  cost.name = "cost_m";
+  cost.goal = designs::Goal::minimize;
+  cost.expression = cost.formula = "height_m + 0.04 * (1 - retention_efficiency)";
+  cost.metrics = {"retention_efficiency"};
+  for (int k = 0; k < 12; ++k) {
+    const double s = k / 11.0, a = (7 * k % 12) / 11.0, scatter = k % 2 == 0 ? 0.01 : -0.01;
+    taught.add(0.04 + 0.054 * s, 54.0 * a, 0.01, 0.6 + 0.2 * s + scatter, 0.1);
+  }
+  taught.teach();
+  return taught;
+}
+
+TEST(Expected, AnExpressionOfMetricsIsNoExactFormula) {
+  const TaughtStudy taught = costed_study();
+  const study::Expectation cost =
+      of(study::repeat_expectations(taught.study, taught.study.designs[6]), Role::objective);
+  EXPECT_FALSE(cost.exact);
+  const double truth = 0.04 + 0.054 * 6.0 / 11.0 + 0.04 * (0.4 - 0.2 * 6.0 / 11.0);
+  ASSERT_TRUE(cost.estimate && cost.estimate->lower_95());
+  EXPECT_GT(*cost.estimate->scatter, 0.0);
+  EXPECT_LT(*cost.estimate->lower_95(), truth);
+  EXPECT_GT(*cost.estimate->upper_95(), truth);
+}
+
+// Half a per cent of the heights is 0.0003 m: of the cost that is no news, of the load it would be.
+TEST(Predicted, OfAnExpressionTheLongerPlateOfANearDesignIsNoSurprise) {
+  const TaughtStudy taught = costed_study();
+  const study::Choice choice = study::choose(taught.study, {});
+  const study::Pick pick = study::pick_of(choice.ranked.front());
+  const double height = pick.design.at("height_m"), angle = pick.design.at("angle_deg");
+  const records::EvaluationRecord& own = *choice.ranked.front().design;
+  const double retention = own.metrics.front().value.value();
+  const auto run = [&](double near_height, double near_retention) {
+    records::EvaluationRecord one =
+        taught.record(pick.id + "-near-1", near_height, angle, 0.01, near_retention, 0.1);
+    one.stage = stage::near;
+    return study::confirmation_run(taught.study.spec, pick, one).as_predicted;
+  };
+  EXPECT_TRUE(run(height + 0.01, retention)) << "0.01 m more plate, far beyond the scatter";
+  EXPECT_FALSE(run(height, retention - 0.25)) << "0.01 m more by the load alone";
+}
+
 }  // namespace
 }  // namespace parapet::test
