@@ -52,12 +52,24 @@ std::string limit_words(const Expectation& limit) {
                      : "at most " + with_unit(limit.upper, key_of(limit));
 }
 
+/// Of a study over a distribution what the surrogates of design and event say of an objective; the
+/// line itself is about the events that are simulated, as a repeat of the runs would be.
+std::string over_drawn_events(const Recommendation& advice, std::size_t objective) {
+  const auto& estimates = advice.recommended->estimates;
+  if (!advice.study.events || objective >= estimates.size()) return "";
+  const study::Estimate& one = estimates[objective].estimate;
+  if (!one.median || !one.lower_95 || !one.upper_95) return "";
+  return fmt::format("; over {} drawn events {} ({} to {})", advice.study.events->drawn,
+                     number_text(one.median), number_text(one.lower_95), number_text(one.upper_95));
+}
+
 void add_lines(PageOne& page, const Recommendation& advice) {
   for (const Expectation& one : advice.recommended->repeat) {
     if (one.role == Role::objective) {
       const ObjectiveTerms& terms = advice.study.objectives.at(one.place);
-      page.performance.push_back(line_of(one, objective_name(terms), objective_unit_key(terms),
-                                         fmt::format("to be {}d", goal_word(terms.goal))));
+      page.performance.push_back(line_of(
+          one, objective_name(terms), objective_unit_key(terms),
+          fmt::format("to be {}d{}", goal_word(terms.goal), over_drawn_events(advice, one.place))));
     } else if (one.role == Role::constraint) {
       const ConstraintResult& constraint = advice.recommended->design.constraints.at(one.place);
       std::string label = key_words(key_of(one));

@@ -32,6 +32,7 @@ StudyFacts study_facts(const study::LoadedStudy& study) {
     count.feasible += record.ok && record.feasible ? 1 : 0;
   }
   for (const auto& [spacing, count] : counts) facts.spacings.push_back(count);
+  if (study.front) facts.events = study.front->events;
   return facts;
 }
 

@@ -34,7 +34,7 @@ std::string estimates_table(const std::vector<ObjectiveEstimate>& estimates) {
   for (const ObjectiveEstimate& objective : estimates) {
     const auto &value = objective.value, &lower = objective.estimate.lower_95,
                &upper = objective.estimate.upper_95;
-    if (!objective.terms.expression.empty()) continue;  // a formula, known exactly
+    if (!objective.terms.expression.empty() && !lower) continue;  // a formula, known exactly
     any = any || lower;
     const char* place = !lower || !upper || !value             ? "-"
                         : *value >= *lower && *value <= *upper ? "within the interval"
@@ -162,6 +162,26 @@ std::string limits_text(const Recommendation& advice) {
       joined(ids), ids.size() == 1 ? "s" : "");
 }
 
+/// What the estimates of a study over a distribution of events rest on.
+std::string events_text(const StudyFacts& study) {
+  if (!study.events) return "";
+  const study::EventBasis& basis = *study.events;
+  std::string text = fmt::format(
+      "Simulated are {} events. The surrogate's column is the statistic over {} events drawn from "
+      "the "
+      "distributions, by surrogates of design and event together, from {} designs. How well these "
+      "predict "
+      "an event that they have not seen (each event left out in turn):\n\n",
+      basis.simulated, basis.drawn, basis.designs);
+  std::vector<std::vector<std::string>> rows{
+      {"metric", "root mean square error", "Q²", "within 95 %"}};
+  for (const study::EventError& error : basis.errors) {
+    rows.push_back({key_label(error.metric), number_text(error.rmse), number_text(error.q_squared),
+                    error.coverage_95 ? fmt::format("{:.0f} %", 100.0 * *error.coverage_95) : "-"});
+  }
+  return text + table(rows, "lrrr");
+}
+
 }  // namespace
 
 std::string confirmation_section(const Recommendation& advice) {
@@ -169,6 +189,7 @@ std::string confirmation_section(const Recommendation& advice) {
   const Confirmation& confirmation = *advice.confirmation;
   std::string text = "## How sure\n\n" + probability_text(advice) + "\n\n";
   text += estimates_table(advice.recommended->estimates);
+  text += events_text(advice.study);
   text += refuted_text(confirmation) + verdict_words(advice) + ".\n\n";
   text += limits_text(advice);
   if (!confirmation.runs.empty()) text += runs_table(advice) + spread_text(confirmation.spread);

@@ -10,6 +10,7 @@
 #include "companion_file.hpp"
 #include "parapet/math/normal.hpp"
 #include "parapet/study/bayesian_problem.hpp"
+#include "parapet/study/event_model.hpp"
 #include "parapet/study/quantity.hpp"
 #include "stored_surrogates.hpp"
 #include "surrogate_fits.hpp"
@@ -77,7 +78,8 @@ std::shared_ptr<const StudySurrogates> StudySurrogates::of(
     result->spacings_ = problem.spacings;
     for (std::size_t k = 0; k < metrics.size(); ++k) {
       auto& model = result->models_.emplace_back();
-      if (problem.problem.metrics[k].composition.value) {
+      const bool exact = static_cast<bool>(problem.problem.metrics[k].exact);
+      if (problem.problem.metrics[k].composition.value || (has_distribution(study) && !exact)) {
         model = result->model_of(samples_of(study, problem.metrics[k].quantity, runs));
         continue;
       }

@@ -47,7 +47,7 @@ double factor(std::string_view unit, double size) {
   if (unit.empty() || unit == "deg") return 1.0;
   if (unit == "m") return size;
   if (unit == "s" || unit == "m/s") return longer;
-  if (unit == "m3/m") return size * size;
+  if (unit == "m3/m" || unit == "m2") return size * size;
   if (unit == "m2/s") return size * longer;
   if (unit == "N/m") return size * size;
   if (unit == "J/m" || unit == "N m/m") return size * size * size;

@@ -34,6 +34,7 @@ struct StudyFacts {
   bool log_complete = true;
   double counted_spacing = 0.0;  ///< of the designs that are compared [m]
   std::vector<SpacingCount> spacings;
+  std::optional<study::EventBasis> events = {};  ///< of a study over a distribution of events
 };
 
 /// A design that the data cannot tell from the one that the rule puts first.
