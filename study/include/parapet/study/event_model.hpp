@@ -59,7 +59,7 @@ class EventModel {
   std::optional<DistributionStatistic> statistic(const Quantity& quantity,
                                                  const designs::Design& design) const;
 
-  LeaveOneEventOut leave_one_event_out(const Key& key) const;
+  LeaveOneEventOut leave_one_event_out(const Key& key) const;  ///< of one metric
 
  private:
   struct Row {

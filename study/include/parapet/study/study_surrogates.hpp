@@ -43,8 +43,8 @@ class StudySurrogates {
   ///
   /// The search models the metrics of an expression, not its value. Here the value has a process of
   /// its own, fitted to what it was in the runs, so that its scatter is that of the expression. Nor
-  /// does the search of a study over a distribution model what runs say of the simulated events, and
-  /// a repeat would: there, every quantity has a process of its own.
+  /// does the search of a study over a distribution model what runs say of the simulated events,
+  /// and a repeat would: there, every quantity has a process of its own.
   /// @param spec_hash that the file must state
   /// @param runs of the study
   static std::shared_ptr<const StudySurrogates> read(

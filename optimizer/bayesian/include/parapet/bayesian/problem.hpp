@@ -31,7 +31,7 @@ struct Metric {
   /// A formula of other metrics: has no value where one of them has none.
   Composition composition = {};
 
-  bool is_composed() const { return static_cast<bool>(composition.value); }
+  bool is_composed() const { return static_cast<bool>(composition.value); }  ///< of other metrics
 };
 
 /// A metric that is to be as small, or as large, as possible.
