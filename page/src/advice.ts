@@ -159,7 +159,6 @@ export function adviceSheet(page: StudyPage, keys: Keys): Child[] {
       scene ? h('figure', { class: 'sheet-drawing' }, drawing(scene, titleBlock(page, `Design ${design.id}`))) : null,
     ),
     lines.length > 0 && scroll(performanceTable(lines, 'What a repeat of it would give')),
-    design.constraints.length > 0 && scroll(constraintTable(design, keys)),
   ];
 }
 
@@ -167,6 +166,7 @@ export function surenessParts(page: StudyPage, keys: Keys): Child[] {
   const { confirmation, caveats, sensitivity, improvement } = page.recommendation;
   const design = shownDesign(page);
   const parts: Child[] = [];
+  if (design && design.constraints.length > 0) parts.push(scroll(constraintTable(design, keys)));
   if (confirmation && confirmation.runs.length > 0) {
     parts.push(
       h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'The design simulated again' },

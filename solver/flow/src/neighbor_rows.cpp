@@ -19,6 +19,7 @@ std::int32_t append(const std::array<std::vector<std::int32_t>, lanes>& rows, st
                     std::vector<std::int32_t>& out) {
   std::size_t longest = 0;
   for (const auto& row : rows) longest = std::max(longest, row.size());
+  if (longest == 0) return 0;  // `out` may have no memory yet
   const std::size_t first = out.size();
   out.resize(first + lanes * longest, ghost);
   for (std::size_t lane = 0; lane < lanes; ++lane) {
