@@ -21,12 +21,12 @@ void require_sound_input(const Scene& scene, const Numerics& numerics, const Run
                              gauge_errors(options.gauges)}) {
     for (const std::string& error : errors) text += (text.empty() ? "" : "; ") + error;
   }
-  constexpr double most = 2e7;  // slots of the neighbour rows are numbered with 32 bits
+  constexpr double most = 1.5e7;  // slots of the neighbour rows are numbered with 32 bits
   const double dx = numerics.spacing;
   const double particles = scene.reservoir_length * scene.reservoir_height / (dx * dx);
   if (text.empty() && !(particles <= most && scene.domain_length / dx <= most)) {
     text =
-        "particle spacing is " + std::to_string(dx) + " m; allowed: at most 20 million particles";
+        "particle spacing is " + std::to_string(dx) + " m; allowed: at most 15 million particles";
   }
   if (!text.empty()) throw std::invalid_argument(text);
 }

@@ -68,12 +68,7 @@ FlowArrays Flow::packed_arrays() {
   c.mass_diffusivity =
       numerics.shifting_factor * mass_levelling * smoothing_length() * now_.max_speed;
   c.no_slip = setup_.wall_slip == WallSlip::no_slip;
-  RowView rows = rows_.view();
-  rows.begin = reached_begin_.data();
-  rows.wall_begin = reached_wall_begin_.data();
-  rows.end = reached_end_.data();
-  rows.index = reached_index_.data();
-  return {c, fluid_.view(), walls_.view(), rows};
+  return {c, fluid_.view(), walls_.view(), step_rows_.view(rows_)};
 }
 
 void Flow::prepare_neighbors() {
@@ -92,17 +87,8 @@ void Flow::prepare_neighbors() {
 }
 
 void Flow::find_reached_pairs() {
-  for (auto* a : {&reached_begin_, &reached_wall_begin_, &reached_end_}) {
-    a->resize(at(groups_of(fluid_.n)));
-  }
-  reached_index_.resize(static_cast<std::size_t>(rows_.fluid_slots()));
   pack(&Fluid::pack_motion);
-  FlowArrays a = packed_arrays();
-  a.rows = rows_.view();
-  const ReachedRows reached{reached_begin_.data(), reached_wall_begin_.data(), reached_end_.data(),
-                            reached_index_.data()};
-  for_blocks(fluid_.n, threads(),
-             [&](int begin, int end) { passes_.reached_rows(a, reached, begin, end); });
+  step_rows_.pick(passes_, packed_arrays(), rows_, threads());
 }
 
 void Flow::update_pressure() {

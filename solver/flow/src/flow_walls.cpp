@@ -58,6 +58,7 @@ void Flow::stop_at_walls() {
     if (!rows_.touches_wall(i)) continue;
     const auto k = at(i);
     const Vec2 before{x_before_[k], z_before_[k]};
+    if (rows_.clear_of_faces(i, before, {fluid_.x[k], fluid_.z[k]})) continue;
     const std::vector<int>& faces = rows_.faces_near(before);
     ParticleMotion motion{before, {fluid_.x[k], fluid_.z[k]}, {fluid_.u[k], fluid_.w[k]}};
     const int face = contact.apply(motion, faces);

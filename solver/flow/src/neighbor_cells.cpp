@@ -165,6 +165,45 @@ void NeighborRows::link_cells() {
   }
 }
 
+// Whose neighbours stand where: particles of a layer are less than a cell's height from those four
+// layers above and below alone.
+void NeighborRows::link_layers() {
+  const std::size_t n = number_of_.size();
+  struct Layer {
+    std::int64_t number;
+    std::int32_t begin;
+  };
+  std::vector<Layer> layers;
+  layer_of_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::int64_t number = number_of_[at(order_[k])];
+    if (layers.empty() || layers.back().number != number) {
+      layers.push_back({number, static_cast<std::int32_t>(k)});
+    }
+    layer_of_[k] = static_cast<std::int32_t>(layers.size()) - 1;
+  }
+  layers.push_back({std::int64_t{1} << 62, static_cast<std::int32_t>(n)});
+  ranges_.assign(layers.size() - 1, {});
+  const std::int64_t per_column = layers_of_cell * grid_.nz;
+  std::array<std::size_t, 3> from{}, to{};
+  for (std::size_t l = 0; l + 1 < layers.size(); ++l) {
+    const std::int64_t ix = layers[l].number / per_column, iz = layers[l].number % per_column;
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::int64_t jx = ix + static_cast<std::int64_t>(k) - 1;
+      if (periodic_length_ > 0.0) jx = (jx + grid_.nx) % grid_.nx;
+      if (jx < 0 || jx >= grid_.nx) continue;
+      const std::int64_t low = jx * per_column + std::max<std::int64_t>(0, iz - layers_of_cell);
+      const std::int64_t high = jx * per_column + std::min(per_column - 1, iz + layers_of_cell);
+      if (layers[from[k]].number > low) from[k] = 0;
+      if (layers[to[k]].number > high) to[k] = 0;
+      while (layers[from[k]].number < low) ++from[k];
+      while (layers[to[k]].number <= high) ++to[k];
+      ranges_[l].begin[k] = layers[from[k]].begin;
+      ranges_[l].end[k] = layers[to[k]].begin;
+    }
+  }
+}
+
 void NeighborRows::sort(Fluid& fluid) {
   const std::size_t n = at(fluid.n);
   place_grid(fluid);
@@ -193,6 +232,7 @@ void NeighborRows::sort(Fluid& fluid) {
     cell_of_[k] = static_cast<std::int32_t>(cells_.size()) - 1;
   }
   link_cells();
+  link_layers();
 }
 
 }  // namespace parapet::solver

@@ -13,23 +13,18 @@ namespace {
 // few enough that they take no memory to speak of.
 constexpr int blocks_at_a_time = 64;
 
-// Puts the rows of a group side by side, a slot with one index of each after the other; the ghost
-// follows where a row is shorter than the longest. Returns how many indices that makes.
+// Puts the rows of a group one after the other, as long as the longest, in whole vectors; the ghost
+// fills them up. Returns how many indices that makes.
 std::int32_t append(const std::array<std::vector<std::int32_t>, lanes>& rows, std::int32_t ghost,
                     std::vector<std::int32_t>& out) {
   std::size_t longest = 0;
   for (const auto& row : rows) longest = std::max(longest, row.size());
-  if (longest == 0) return 0;  // `out` may have no memory yet
-  const std::size_t first = out.size();
-  out.resize(first + lanes * longest, ghost);
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    std::int32_t* slot = out.data() + first + lane;
-    for (const std::int32_t j : rows[lane]) {
-      *slot = j;
-      slot += lanes;
-    }
+  const std::size_t length = at(lanes * groups_of(static_cast<int>(longest)));
+  for (const auto& row : rows) {
+    out.insert(out.end(), row.begin(), row.end());
+    out.insert(out.end(), length - row.size(), ghost);
   }
-  return static_cast<std::int32_t>(lanes * longest);
+  return static_cast<std::int32_t>(lanes * length);
 }
 
 }  // namespace
@@ -46,22 +41,31 @@ NeighborRows::NeighborRows(const Solids& solids, const WallPoints& walls, double
       wall_cells_(solids, walls, reach + skin) {}
 
 // Of the faces near a place those that a pair within the rows' reach can have between it.
-void NeighborRows::find_faces_in_reach(Vec2 p, std::vector<int>& in_reach) const {
+// Returns the distance of the nearest, at most the reach with its skin [m].
+double NeighborRows::find_faces_in_reach(Vec2 p, std::vector<int>& in_reach) const {
   in_reach.clear();
   const double reach = (1.0 + 1e-9) * (reach_ + skin_);
+  double nearest = reach;
   for (const int f : faces_near(p)) {
     const Face& face = solids_.faces[at(f)];
-    if (distance_to_segment(face.a, face.b, p) < reach) in_reach.push_back(f);
+    const double distance = distance_to_segment(face.a, face.b, p);
+    if (distance < reach) in_reach.push_back(f);
+    nearest = std::min(nearest, distance);
   }
+  return nearest;
+}
+
+bool NeighborRows::bodies_among(const std::vector<int>& faces) const {
+  return std::any_of(faces.begin(), faces.end(), [&](int f) {
+    return !solids_.bodies[at(solids_.faces[at(f)].body)].outline.empty();
+  });
 }
 
 void NeighborRows::add_fluid_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
                                        std::vector<std::int32_t>& out) const {
   const Vec2 p{fluid.x[at(i)], fluid.z[at(i)]};
   const double limit = (reach_ + skin_) * (reach_ + skin_);
-  const bool bodies_near = std::any_of(faces.begin(), faces.end(), [&](int f) {
-    return !solids_.bodies[at(solids_.faces[at(f)].body)].outline.empty();
-  });
+  const bool bodies_near = bodies_among(faces);
   const auto offset = [&](std::int32_t j) {
     double rx = p.x - fluid.x[at(j)];
     if (periodic_length_ > 0.0) rx -= periodic_length_ * std::round(rx / periodic_length_);
@@ -107,18 +111,27 @@ void NeighborRows::add_wall_neighbors(const Fluid& fluid, int i, const std::vect
   }
 }
 
-void NeighborRows::fill_block(const Fluid& fluid, int begin, int end, RowBuffer& buffer) const {
+void NeighborRows::fill_block(const Fluid& fluid, int begin, int end, RowBuffer& buffer) {
   buffer.index.clear();
   buffer.fluid_count.clear();
   buffer.wall_count.clear();
+  buffer.listed.clear();
   for (int first = begin; first < end; first += lanes) {
     for (auto& row : buffer.fluid) row.clear();
     for (auto& row : buffer.wall) row.clear();
+    bool listed = false;
     for (int i = first; i < std::min(end, first + lanes); ++i) {
-      find_faces_in_reach({fluid.x[at(i)], fluid.z[at(i)]}, buffer.faces);
-      add_fluid_neighbors(fluid, i, buffer.faces, buffer.fluid[at(i - first)]);
-      add_wall_neighbors(fluid, i, buffer.faces, buffer.wall[at(i - first)]);
+      std::vector<int>& faces = buffer.faces[at(i - first)];
+      faces.clear();
+      if (!cells_[at(cell_of_[at(i)])].near_wall) continue;
+      clearance_[at(i)] = find_faces_in_reach({fluid.x[at(i)], fluid.z[at(i)]}, faces);
+      add_wall_neighbors(fluid, i, faces, buffer.wall[at(i - first)]);
+      listed = listed || bodies_among(faces);
     }
+    for (int i = first; listed && i < std::min(end, first + lanes); ++i) {
+      add_fluid_neighbors(fluid, i, buffer.faces[at(i - first)], buffer.fluid[at(i - first)]);
+    }
+    buffer.listed.push_back(listed);
     buffer.fluid_count.push_back(append(buffer.fluid, fluid.n, buffer.index));
     buffer.wall_count.push_back(append(buffer.wall, wall_ghost(), buffer.index));
   }
@@ -134,6 +147,7 @@ void NeighborRows::join(const RowBuffer& buffer) {
     end_.push_back(slots);
   }
   index_.insert(index_.end(), buffer.index.begin(), buffer.index.end());
+  listed_.insert(listed_.end(), buffer.listed.begin(), buffer.listed.end());
 }
 
 // Rows of the wall points: the same pairs seen from the other side.
@@ -142,8 +156,10 @@ void NeighborRows::transpose_wall_rows(int n) {
   const auto for_pairs = [&](const auto& body) {
     for (int i = 0; i < n; ++i) {
       const std::size_t g = at(i / lanes);
-      for (int s = wall_begin_[g] + i % lanes; s < end_[g]; s += lanes) {
-        if (index_[at(s)] != wall_ghost()) body(i, index_[at(s)]);
+      const std::int32_t length = (end_[g] - wall_begin_[g]) / lanes;
+      const std::int32_t first = wall_begin_[g] + i % lanes * length;
+      for (int s = first; s < first + length && index_[at(s)] != wall_ghost(); ++s) {
+        body(i, index_[at(s)]);
       }
     }
   };
@@ -181,6 +197,8 @@ void NeighborRows::build(Fluid& fluid, int threads) {
   sort(fluid);
   const int n = fluid.n;
   for (auto* array : {&begin_, &wall_begin_, &end_, &index_}) array->clear();
+  listed_.clear();
+  clearance_.assign(at(n), reach_ + skin_);
   buffers_.resize(blocks_at_a_time);
   constexpr int at_a_time = blocks_at_a_time * block_size;
   for (int from = 0; from < n; from += at_a_time) {
@@ -191,19 +209,62 @@ void NeighborRows::build(Fluid& fluid, int threads) {
     for (int begin = 0; begin < count; begin += block_size) join(buffers_[at(begin / block_size)]);
   }
   transpose_wall_rows(n);
+  reserve_rows(n);
   built_x_.assign(fluid.x.begin(), fluid.x.begin() + n);
   built_z_.assign(fluid.z.begin(), fluid.z.begin() + n);
   valid_ = true;
 }
 
-bool NeighborRows::touches_wall(int i) const {
-  const std::size_t g = at(i / lanes);
-  return end_[g] > wall_begin_[g] && index_[at(wall_begin_[g] + i % lanes)] != wall_ghost();
+// What the reached rows of every block of particles take at most.
+void NeighborRows::reserve_rows(int n) {
+  room_ = 0;
+  std::vector<std::int32_t> candidates;
+  for (const NearRanges& r : ranges_) {
+    std::int32_t all = 0;
+    for (int k = 0; k < 3; ++k) all += r.end[k] - r.begin[k];
+    candidates.push_back(all);
+  }
+  block_first_.assign(1, 0);
+  for (int begin = 0; begin < n; begin += block_size) {
+    std::int32_t slots = lanes * lanes;  // the last interleaving may write so much more
+    for (int first = begin; first < std::min(n, begin + block_size); first += lanes) {
+      const std::size_t g = at(first / lanes);
+      std::int32_t longest = 0;
+      for (int i = first; i < std::min(n, first + lanes); ++i) {
+        longest = std::max(longest, candidates[at(layer_of_[at(i)])]);
+      }
+      const std::int32_t fluid = listed_[g] ? wall_begin_[g] - begin_[g] : lanes * longest;
+      const std::int32_t wall = end_[g] - wall_begin_[g];
+      slots += fluid + wall;
+      room_ = std::max(room_, std::max(fluid, wall) / lanes + 2 * lanes);
+    }
+    block_first_.push_back(block_first_.back() + slots);
+  }
 }
 
-RowView NeighborRows::view() const {
-  return {begin_.data(),  wall_begin_.data(),  end_.data(),         index_.data(),
-          active_.data(), point_begin_.data(), point_index_.data(), n_active_};
+bool NeighborRows::touches_wall(int i) const {
+  const std::size_t g = at(i / lanes);
+  const std::int32_t length = (end_[g] - wall_begin_[g]) / lanes;
+  return length > 0 && index_[at(wall_begin_[g] + i % lanes * length)] != wall_ghost();
+}
+
+bool NeighborRows::clear_of_faces(int i, Vec2 before, Vec2 after) const {
+  constexpr double slack = 2e-9;  // [m] more than what crossing() allows beyond the ends of a face
+  const double far = std::max(0.0, clearance_[at(i)] - slack);
+  const Vec2 built{built_x_[at(i)], built_z_[at(i)]};
+  const Vec2 from = before - built, to = after - built;
+  return dot(from, from) < far * far && dot(to, to) < far * far;
+}
+
+NearView NeighborRows::view() const {
+  return {ranges_.data(),     layer_of_.data(), listed_.data(), begin_.data(),
+          wall_begin_.data(), end_.data(),      index_.data()};
+}
+
+RowView NeighborRows::wall_point_rows() const {
+  return {
+      nullptr,  nullptr, nullptr, nullptr, active_.data(), point_begin_.data(), point_index_.data(),
+      n_active_};
 }
 
 }  // namespace parapet::solver

@@ -19,10 +19,13 @@ template <class Body>
 void for_blocks(int n, int threads, const Body& body) {
   const int blocks = (n + block_size - 1) / block_size;
   const int useful = std::clamp(n / least_per_thread, 1, threads);
-#pragma omp parallel for schedule(static) num_threads(useful) if (useful > 1)
-  for (int b = 0; b < blocks; ++b) {
-    body(b * block_size, std::min(n, (b + 1) * block_size));
+  const auto block = [&](int b) { body(b * block_size, std::min(n, (b + 1) * block_size)); };
+  if (useful == 1) {  // a team of one still costs a call
+    for (int b = 0; b < blocks; ++b) block(b);
+    return;
   }
+#pragma omp parallel for schedule(static) num_threads(useful)
+  for (int b = 0; b < blocks; ++b) block(b);
 }
 
 }  // namespace parapet::solver

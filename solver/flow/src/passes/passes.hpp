@@ -6,7 +6,8 @@
 namespace parapet::solver::PARAPET_ISA {
 
 int pick_near(const NearCandidates& candidates, std::int32_t* out);
-void reached_rows(const FlowArrays& a, const ReachedRows& rows, int begin, int end);
+void reached_rows(const FlowArrays& a, const NearView& near, const ReachedRows& rows, int begin,
+                  int end);
 void extrapolate_walls(const FlowArrays& a, int begin, int end);
 void gradient_sums(const FlowArrays& a, const GradientSums& sums, int begin, int end);
 void pressure_force(const FlowArrays& a, double* ax, double* az, int begin, int end);

@@ -27,8 +27,8 @@
 #include "parapet/flow/flow_state.hpp"
 #include "parapet/flow/fluid.hpp"
 #include "parapet/flow/geometry.hpp"
-#include "parapet/flow/neighbor_rows.hpp"
 #include "parapet/flow/pass_table.hpp"
+#include "parapet/flow/step_rows.hpp"
 #include "parapet/flow/wall_layout.hpp"
 #include "parapet/solver/numerics.hpp"
 #include "parapet/solver/result.hpp"
@@ -192,7 +192,7 @@ class Flow {
   int first_barrier_point_ = 0;
   Fluid fluid_;
   NeighborRows rows_;
-  std::vector<std::int32_t> reached_begin_, reached_wall_begin_, reached_end_, reached_index_;
+  StepRows step_rows_;
   std::unique_ptr<ViscousSolve> viscous_;
   std::unique_ptr<TimeIntegrator> integrator_;
   std::vector<BarrierImpulse> impulses_;

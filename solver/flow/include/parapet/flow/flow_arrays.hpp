@@ -15,10 +15,11 @@ constexpr int groups_of(int n) {
   return (n + lanes - 1) / lanes;
 }
 
-/// Neighbour rows of whole groups: group g holds the particles lanes g, lanes g + 1 and so on, and
-/// each of its slots `lanes` indices, one neighbour of each particle in their order. Slots [begin,
-/// wall_begin) hold fluid neighbours, slots [wall_begin, end) the wall points that a particle sees;
-/// a particle with fewer than others of its group has the ghost in its last ones.
+/// Neighbour rows of whole groups, of the pairs within the support: group g holds the particles
+/// lanes g, lanes g + 1 and so on, and each of its slots `lanes` indices, one neighbour of each
+/// particle in their order. Slots [begin, wall_begin) hold fluid neighbours, slots [wall_begin,
+/// end) the wall points that a particle sees; a particle with fewer than others of its group has
+/// the ghost in its last ones.
 ///
 ///     for (int s = rows.begin[i / lanes] + i % lanes; s < rows.wall_begin[i / lanes]; s += lanes)
 ///     {
@@ -134,10 +135,32 @@ struct NearCandidates {
   double period;        ///< of the domain along x [m]; 0 when not periodic
 };
 
-/// Rows of the pairs within the support alone, for as long as no particle moves: the same shape as
-/// RowView's, of [n_groups] and at most [lanes n_slots].
+/// Particles that may be near one: [begin[k], end[k]) of the columns of cells before, own and
+/// after.
+struct NearRanges {
+  std::int32_t begin[3], end[3];
+};
+
+/// What the rows of a step are picked from, until particles have moved too far (NeighborRows). The
+/// neighbours of a group far from every body are among the particles of ranges; a body hides some,
+/// so near one they are listed, as wall points are everywhere. Lists are in index, one after the
+/// other for the particles of group g and of equal length, with the ghost behind the last: those of
+/// fluid neighbours are [begin[g], wall_begin[g]), of wall points [wall_begin[g], end[g]).
+struct NearView {
+  const NearRanges* ranges;                      ///< [n_layers]
+  const std::int32_t* layer;                     ///< [n_fluid] index into ranges
+  const std::uint8_t* listed;                    ///< [n_groups] 1: the fluid neighbours are
+  const std::int32_t *begin, *wall_begin, *end;  ///< [n_groups]
+  const std::int32_t* index;
+};
+
+/// Where the rows of a step are written: RowView's arrays, [n_groups] each and as many indices as
+/// may become necessary.
 struct ReachedRows {
   std::int32_t *begin, *wall_begin, *end, *index;
+  std::int32_t first;     ///< where the range's first group starts in index
+  std::int32_t* scratch;  ///< [lanes room]
+  std::int32_t room;      ///< for what one row is picked from, and a vector more
 };
 
 /// Everything that a pass sees.

@@ -1,4 +1,5 @@
-/// Cell-sorted neighbour rows, reused while no pair can have come closer than the skin allows.
+/// Who may be near whom: particles sorted by cell, and lists where bodies and walls are, reused
+/// while no pair can have come closer than the skin allows. StepRows picks from them.
 #pragma once
 
 #include <array>
@@ -36,10 +37,16 @@ class NeighborRows {
   const std::vector<double>& built_x() const { return built_x_; }
   const std::vector<double>& built_z() const { return built_z_; }  ///< likewise
 
-  RowView view() const;  ///< valid until the next build
-  /// Indices in all rows, with those within the skin and the ghosts: what the rows take in memory.
-  std::int64_t fluid_slots() const { return static_cast<std::int64_t>(index_.size()); }
-  bool touches_wall(int i) const;  ///< particle i has wall points in its row
+  NearView view() const;  ///< valid until the next build
+  /// The rows of the wall points, with all that the skin holds; those of the particles are not set.
+  RowView wall_point_rows() const;
+  /// Where the rows of each block of particles may start, so that all have room [n_blocks + 1].
+  const std::vector<std::int32_t>& block_first() const { return block_first_; }
+  /// Room for what one row is picked from, and a vector more.
+  std::int32_t room() const { return room_; }
+  bool touches_wall(int i) const;  ///< particle i has wall points in its list
+  /// True only when no face can lie between two places where particle i has been since the build.
+  bool clear_of_faces(int i, Vec2 before, Vec2 after) const;
   /// Faces near a place: a superset of those within reach + skin.
   const std::vector<int>& faces_near(Vec2 p) const { return wall_cells_.faces_near(p); }
 
@@ -64,10 +71,11 @@ class NeighborRows {
   struct Motion {  // the box that holds the displacements of a cell's particles
     double x_min, x_max, z_min, z_max;
   };
-  struct RowBuffer {  // one block's rows before they are joined
+  struct RowBuffer {  // one block's lists before they are joined
     std::vector<std::int32_t> index, fluid_count, wall_count;  // counts by group, in indices
     std::array<std::vector<std::int32_t>, lanes> fluid, wall;  // of the present group's particles
-    std::vector<int> faces;                                    // scratch: near one particle
+    std::array<std::vector<int>, lanes> faces;                 // in their reach
+    std::vector<std::uint8_t> listed;                          // by group
   };
 
   std::int32_t wall_ghost() const { return static_cast<std::int32_t>(walls_.size()); }
@@ -75,11 +83,14 @@ class NeighborRows {
   void place_grid(const Fluid& fluid);
   void sort_by_cell(std::int64_t cells);
   void link_cells();
+  void link_layers();
+  void reserve_rows(int n);
+  bool bodies_among(const std::vector<int>& faces) const;
   CellRange cells_of_column(std::int64_t ix, std::int64_t z_from, std::int64_t z_to,
                             int& hint) const;
   void sort(Fluid& fluid);
-  void find_faces_in_reach(Vec2 p, std::vector<int>& in_reach) const;
-  void fill_block(const Fluid& fluid, int begin, int end, RowBuffer& buffer) const;
+  double find_faces_in_reach(Vec2 p, std::vector<int>& in_reach) const;
+  void fill_block(const Fluid& fluid, int begin, int end, RowBuffer& buffer);
   void add_fluid_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
                            std::vector<std::int32_t>& out) const;
   void add_wall_neighbors(const Fluid& fluid, int i, const std::vector<int>& faces,
@@ -100,9 +111,15 @@ class NeighborRows {
   std::vector<std::int64_t> number_of_;             // of a particle's layer, before the sorting
   std::vector<std::int32_t> order_, sorted_order_;  // old particle of a new one
   std::vector<std::int32_t> cell_of_;               // [n] index into cells_
-  std::vector<double> built_x_, built_z_;           // positions at the build
+  std::vector<NearRanges> ranges_;                  // of the layers of cells that hold particles
+  std::vector<std::int32_t> layer_of_;              // [n] index into ranges_
+  std::vector<std::uint8_t> listed_;                // [n_groups]
+  std::vector<double> clearance_;  // [n] distance of the nearest face, at most the reach [m]
+  std::vector<double> built_x_, built_z_;  // positions at the build
 
   std::vector<std::int32_t> begin_, wall_begin_, end_, index_;
+  std::vector<std::int32_t> block_first_;
+  std::int32_t room_ = 0;
   std::vector<std::int32_t> point_begin_, point_index_, active_, point_count_;
   int n_active_ = 0;
   std::vector<RowBuffer> buffers_;

@@ -22,9 +22,8 @@ struct PassTable {
   /// Writes the numbers of those candidates that are nearer than the distance, in their order, and
   /// says how many; `out` has room for a whole vector more than there are candidates.
   int (*pick_near)(const NearCandidates&, std::int32_t* out);
-  /// The rows without the pairs that the skin holds but the kernel does not reach; the rows of a
-  /// range start at its first group's old place.
-  void (*reached_rows)(const FlowArrays&, const ReachedRows&, int begin, int end);
+  /// The rows of the pairs that the kernel reaches; the arrays' own rows are not looked at.
+  void (*reached_rows)(const FlowArrays&, const NearView&, const ReachedRows&, int begin, int end);
   /// Pressure of the fluid at wall points (Adami et al. 2012); range over active_wall.
   void (*extrapolate_walls)(const FlowArrays&, int begin, int end);
   /// All sums of the renormalised gradients, shifting and strain rate; those of `begin` come first.
