@@ -15,6 +15,13 @@ std::string key_label(const std::string& key);
 /// " [m]"; empty for a pure number.
 std::string bracketed_unit(const std::string& key);
 
+/// The key whose suffix is the unit of an objective, a constraint or what is expected of one: its
+/// metric, or the name of an expression.
+template <typename Goal>
+const std::string& unit_key(const Goal& goal) {
+  return goal.metric.empty() ? goal.name : goal.metric;
+}
+
 /// Four significant digits, never 1e+03 for a thousand; "-" when there is no value.
 std::string number_text(const std::optional<double>& value);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "design_advice.hpp"
+#include "key_text.hpp"
 #include "parapet/study/predicted.hpp"
 #include "parapet/study/scoring.hpp"
 
@@ -54,12 +55,6 @@ Spread spread_of(const std::string& name, const std::string& metric,
           .standard_deviation = std::sqrt(squares / static_cast<double>(values.size() - 1))};
 }
 
-/// What names the unit: the metric, or the name of an expression.
-template <typename Goal>
-const std::string& key_of(const Goal& goal) {
-  return goal.metric.empty() ? goal.name : goal.metric;
-}
-
 /// How far the answer moves between runs of the design and of those near to it, all at one spacing:
 /// for each objective, and for each constraint with a value.
 std::vector<Spread> spreads(const designs::StudySpec& study,
@@ -76,7 +71,7 @@ std::vector<Spread> spreads(const designs::StudySpec& study,
   for (std::size_t j = 0; j < study.objectives.size(); ++j) {
     objectives.push_back(terms_of(study, study.objectives[j]));
     if (study.objectives[j].is_of_design()) continue;
-    add(objectives.back().name, key_of(objectives.back()), [j](const EvaluationRecord& record) {
+    add(objectives.back().name, unit_key(objectives.back()), [j](const EvaluationRecord& record) {
       return j < record.objectives.size() ? record.objectives[j].value : std::nullopt;
     });
   }
@@ -89,7 +84,7 @@ std::vector<Spread> spreads(const designs::StudySpec& study,
              objective.statistic == statistic;
     });
     if (constraint.is_of_design() || told) continue;
-    add(constraint.name, key_of(constraint), [k](const EvaluationRecord& record) {
+    add(constraint.name, unit_key(constraint), [k](const EvaluationRecord& record) {
       return k < record.constraints.size() ? record.constraints[k].value : std::nullopt;
     });
   }

@@ -39,17 +39,12 @@ std::string load_label(const Expectation& load) {
                      load.place);
 }
 
-/// What names an expression is its name.
-const std::string& key_of(const Expectation& one) {
-  return one.metric.empty() ? one.name : one.metric;
-}
-
 std::string limit_words(const Expectation& limit) {
   if (limit.lower && limit.upper) {
-    return fmt::format("{} to {}", number_text(limit.lower), with_unit(limit.upper, key_of(limit)));
+    return fmt::format("{} to {}", number_text(limit.lower), with_unit(limit.upper, unit_key(limit)));
   }
-  return limit.lower ? "at least " + with_unit(limit.lower, key_of(limit))
-                     : "at most " + with_unit(limit.upper, key_of(limit));
+  return limit.lower ? "at least " + with_unit(limit.lower, unit_key(limit))
+                     : "at most " + with_unit(limit.upper, unit_key(limit));
 }
 
 /// Of a study over a distribution what the surrogates of design and event say of an objective; the
@@ -72,9 +67,9 @@ void add_lines(PageOne& page, const Recommendation& advice) {
           fmt::format("to be {}d{}", goal_word(terms.goal), over_drawn_events(advice, one.place))));
     } else if (one.role == Role::constraint) {
       const ConstraintResult& constraint = advice.recommended->design.constraints.at(one.place);
-      std::string label = key_words(key_of(one));
+      std::string label = key_words(unit_key(one));
       if (!constraint.statistic.empty()) label += ", " + constraint.statistic;
-      page.limits.push_back(line_of(one, std::move(label), key_of(one), limit_words(one)));
+      page.limits.push_back(line_of(one, std::move(label), unit_key(one), limit_words(one)));
     } else {
       page.loads.push_back(line_of(one, load_label(one), one.metric, ""));
     }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "key_text.hpp"
+
 namespace parapet::reports {
 namespace {
 
@@ -72,7 +74,7 @@ Json to_json(const WrittenDesign& design) {
 
 Json to_json(const ObjectiveTerms& terms) {
   Json json{{"name", terms.name},
-            {"metric", terms.metric.empty() ? terms.name : terms.metric},
+            {"metric", unit_key(terms)},
             {"goal", goal_word(terms.goal)}};
   if (!terms.expression.empty()) json.emplace("expression", terms.expression);
   if (!terms.statistic.empty()) json.emplace("statistic", terms.statistic);

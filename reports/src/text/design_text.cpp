@@ -19,7 +19,7 @@ bool is_bare_formula(const ObjectiveTerms& objective) {
 
 std::string objective_unit_key(const ObjectiveTerms& objective) {
   if (is_bare_formula(objective)) return "";
-  return objective.metric.empty() ? objective.name : objective.metric;
+  return unit_key(objective);
 }
 
 std::string design_words(const WrittenDesign& design) {

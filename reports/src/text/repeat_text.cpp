@@ -16,7 +16,7 @@ std::string label_of(const Expectation& one, const Recommendation& advice) {
   if (one.role == study::Role::objective) {
     return objective_label(advice.study.objectives.at(one.place));
   }
-  return key_label(one.metric.empty() ? one.name : one.metric);
+  return key_label(unit_key(one));
 }
 
 std::string size_text(const std::optional<double>& value) {
