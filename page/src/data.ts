@@ -282,7 +282,7 @@ export interface StudyPage extends DesignsPage {
   kind: 'study';
   state: string;
   recommendation: Recommendation;
-  slices: { design: string; metrics: { metric: string; slices: Slice[] }[] } | null;
+  slices: { design: string; metrics: { name: string; metric: string; slices: Slice[] }[] } | null;
 }
 
 export interface Uncertainty {

@@ -43,6 +43,11 @@ export class Keys {
     return unit === '' ? this.words(key) : `${this.words(key)} [${unit}]`;
   }
 
+  /** What a surrogate models: a metric's label, or a statistic of it over the events in words. */
+  modelled(name: string, metric: string): string {
+    return name === metric ? this.label(metric) : name.split(metric).join(this.words(metric));
+  }
+
   definition(key: string): string | undefined {
     return this.page.keys[key]?.definition;
   }

@@ -1,5 +1,5 @@
 /** Drawings, series and playback of one to four runs side by side. */
-import type { Common, Run } from './data';
+import type { Common, Run, StudiesPage } from './data';
 import { blockBytes } from './data';
 import { Clock } from './clock';
 import { controls } from './controls';
@@ -14,11 +14,13 @@ import { view } from './view';
 
 export function titleBlock(page: Common, title: string): Parameters<typeof drawing>[1] {
   const { version, git_revision } = page.program;
+  // Of several studies a run is called STUDY/ID, and is drawn with the hash of its own.
+  const member = page.kind === 'studies' ? (page as StudiesPage).studies.find((one) => title.startsWith(`${one.label}/`)) : undefined;
   return {
-    title,
-    study: page.name,
+    title: member ? title.slice(member.label.length + 1) : title,
+    study: member?.label ?? page.name,
     date: page.date.slice(0, 10),
-    hash: page.hash,
+    hash: member?.hash ?? page.hash,
     program: `parapet ${version}${git_revision ? ` (${git_revision})` : ''}`,
   };
 }

@@ -34,7 +34,8 @@ Json slices_json(const study::LoadedStudy& study, const DesignReport& shown) {
                           {"lower_95", slice.lower_95},
                           {"upper_95", slice.upper_95}});
       }
-      metrics.push_back({{"metric", one.metric}, {"slices", std::move(slices)}});
+      metrics.push_back(
+          {{"name", one.name}, {"metric", one.metric}, {"slices", std::move(slices)}});
     }
     return {{"design", shown.id}, {"metrics", std::move(metrics)}};
   } catch (const Json::exception&) {
