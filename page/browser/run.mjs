@@ -451,7 +451,7 @@ test('a served page hears of new designs', { skip: !process.env.PARAPET }, async
     page.on('pageerror', (error) => wrong.push(error.message));
     await page.goto(address);
     await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
-    assert.match(await page.textContent('.live'), /waiting for the next design/);
+    assert.match(await page.textContent('.live'), /nothing new yet/); // the study has ended
     const summary = JSON.parse(readFileSync(join(study, 'summary.json'), 'utf8'));
     await page.waitForTimeout(700);
     writeFileSync(join(study, 'summary.json'), JSON.stringify({ ...summary, state: 'running' }));
@@ -463,6 +463,7 @@ test('a served page hears of new designs', { skip: !process.env.PARAPET }, async
     await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
     assert.ok(await page.isChecked(`#designs input[aria-label="${id}"]`));
     assert.match(await page.textContent('#build .headline'), /^Best so far: design /);
+    assert.match(await page.textContent('.live'), /waiting for the next design/);
     // Following: it comes by itself, but not at once, or nobody could read it.
     await page.check('.live .tick input');
     await page.waitForTimeout(700);

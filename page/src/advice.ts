@@ -1,5 +1,6 @@
 /** Page one: what to build, what to expect of it, and how sure that is. */
-import type { ConstraintResult, DesignReport, PageOne, PageOneLine, StudyPage } from './data';
+import type { StudyPage } from './data';
+import type { ConstraintResult, DesignReport, PageOne, PageOneLine } from './recommendation';
 import { h, type Child } from './dom';
 import { drawing } from './drawing';
 import { numberText, quantity, valueElement, withUncertainty, type Keys } from './format';

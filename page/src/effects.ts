@@ -1,6 +1,7 @@
 /** What each variable does: Sobol' indices, main effects, and slices through the chosen design. */
 import { axisStyle, Chart, tooltipStyle } from './chart';
-import type { MainEffect, Slice, StudyPage } from './data';
+import type { Slice, StudyPage } from './data';
+import type { MainEffect } from './recommendation';
 import { h, select } from './dom';
 import { numberText, type Keys } from './format';
 import { color } from './theme';

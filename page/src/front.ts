@@ -1,7 +1,7 @@
 /** The front and everything around it: any quantity against any other. */
 import type { ECharts } from 'echarts/core';
 import { axisStyle, Chart, tooltipStyle } from './chart';
-import type { Recommendation } from './data';
+import type { Recommendation } from './recommendation';
 import { palette } from './colors';
 import { axisValue, kinds, onFront, type DesignTable, type Kind, type Quantity } from './designs';
 import { checkbox, h, select } from './dom';

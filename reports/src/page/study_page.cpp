@@ -52,6 +52,7 @@ FolderReport study_report(const study::LoadedStudy& study, const Recommendation&
   Json page = common_json("study", study.spec.name, study.spec_hash, options);
   page["description"] = study.spec.description;
   page["state"] = study.state;
+  page["simulated_by"] = simulated_by(study.provenance);
   page["recommendation"] = recommendation_json(advice);
   page["variables"] = page["recommendation"]["study"]["variables"];
   page["objectives"] = page["recommendation"]["study"]["objectives"];
