@@ -218,7 +218,7 @@ function titleBlock(block: TitleBlock, top: number, scale: number, metres: boole
     ['Date', block.date, 120],
     ['Hash', block.hash, 0],
     ['Program', block.program, 60],
-    ['Scale', `${scaleText(scale)} at 180 mm; ${metres ? 'lengths with unit' : 'lengths in mm'}`, 120],
+    ['Scale', `${scaleText(scale)} at 180 mm${metres ? '' : '; lengths in mm'}`, 120],
   ];
   const shorten = (words: string): string => (words.length > 34 ? `${words.slice(0, 33)}…` : words);
   return [

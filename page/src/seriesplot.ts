@@ -41,7 +41,7 @@ function windowLines(panel: Panel, runs: NamedSeries[], keys: Keys): object[] {
             value: [one.from_s, one.value],
             // Named where it stands: a legend of all windows would hide that of the runs.
             label: {
-              show: one.value > 0.1 * most, // the others would lie over the curves
+              show: runs.length === 1 && one.value > 0.1 * most, // others would lie over each other
               position: [0, -14],
               color: palette[run % palette.length],
               fontSize: 11,
