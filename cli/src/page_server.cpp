@@ -133,13 +133,15 @@ class PageServer::Server {
 
  private:
   /// A page of another site may ask a name of its own that leads here (DNS rebinding), or this
-  /// address itself (browsers say so by Sec-Fetch-Site).
+  /// address itself (browsers say so by Sec-Fetch-Site, older ones by Origin).
   httplib::Server::HandlerResponse refuse(const httplib::Request& request,
                                           httplib::Response& response) const {
     const std::string named = request.get_header_value("Host");
     const bool known =
         named == fmt::format("{}:{}", host, port_) || named == fmt::format("localhost:{}", port_);
-    const bool ours = known && request.get_header_value("Sec-Fetch-Site") != "cross-site";
+    const std::string origin = request.get_header_value("Origin");
+    const bool ours = known && request.get_header_value("Sec-Fetch-Site") != "cross-site" &&
+                      (origin.empty() || origin == "http://" + named);
     const bool reads = request.method == "GET" || request.method == "HEAD";
     if (ours && reads) return httplib::Server::HandlerResponse::Unhandled;
     response.status = ours ? 405 : 403;

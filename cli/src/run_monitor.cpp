@@ -39,6 +39,16 @@ std::string cut_to_width(const std::string& text, std::size_t columns) {
   return shown < columns ? text : text.substr(0, kept) + "…";
 }
 
+std::string progress_line(const std::string& count, const std::string& best,
+                          const std::string& left, const std::string& running) {
+  std::string text;
+  for (const std::string& part : {count, best, left, running}) {
+    if (!text.empty() && !part.empty()) text += "; ";
+    text += part;
+  }
+  return text;
+}
+
 RunMonitor::RunMonitor(const Session& session, int total, std::string noun)
     : session_(session),
       terminal_(isatty(STDERR_FILENO) != 0),
@@ -95,20 +105,19 @@ void RunMonitor::show() {
 }
 
 std::string RunMonitor::line() const {
-  std::string text;
-  if (!noun_.empty()) text = fmt::format("{} of {} {}", ended_ + skipped_, total_, noun_);
-  if (share_) text = fmt::format("{:.0f} % of the work", 100.0 * *share_);
+  std::string count, running;
+  if (!noun_.empty()) count = fmt::format("{} of {} {}", ended_ + skipped_, total_, noun_);
+  if (share_) count = fmt::format("{:.0f} % of the work", 100.0 * *share_);
   int shown = 0;
   for (const auto& [id, progress] : running_) {
     if (++shown > 2) {  // more do not fit on a line
-      text += ", ...";
+      running += ", ...";
       break;
     }
-    text += text.empty() ? "" : (shown == 1 ? "; " : ", ");
-    text += fmt::format("{} at {:.2f} of {:.2f} s", id, progress.time, progress.stop_time);
+    if (shown > 1) running += ", ";
+    running += fmt::format("{} at {:.2f} of {:.2f} s", id, progress.time, progress.stop_time);
   }
-  if (!best_.empty()) text += "; " + best_;
-  return text + "; " + remaining_time();
+  return progress_line(count, best_, remaining_time(), running);
 }
 
 double RunMonitor::share_done() const {

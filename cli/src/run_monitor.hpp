@@ -16,6 +16,15 @@ namespace parapet::cli {
 /// A line of text (UTF-8) that fits a terminal of so many columns; what is cut off ends with "…".
 std::string cut_to_width(const std::string& text, std::size_t columns);
 
+/// One line of progress, what matters most first: a narrow terminal cuts the rest off. Any part may
+/// be empty.
+/// @param count "4 of 12 designs"
+/// @param best "best retention_efficiency 0.83 (0007)"
+/// @param left "at most 6 s left"
+/// @param running "0005 at 0.79 of 3.00 s, 0006 at 0.43 of 3.00 s"
+std::string progress_line(const std::string& count, const std::string& best,
+                          const std::string& left, const std::string& running);
+
 /// Shows how far a number of simulations is: on a terminal as one line that is written again, else
 /// as a plain line now and then. Safe to call from several threads.
 class RunMonitor {

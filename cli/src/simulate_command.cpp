@@ -120,8 +120,10 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   writing([&] { outputs->finish(session); });
   write_report(session, folder);
   records::ChecksumList(folder).write();
+  const double seconds = result.statistics.wall_time;
   session.out->print("{}: {} steps in {}\n{}", spec.name, result.statistics.steps,
-                     duration_text(result.statistics.wall_time), reports::run_summary(result));
+                     seconds < 10.0 ? fmt::format("{:.2g} s", seconds) : duration_text(seconds),
+                     reports::run_summary(result));
   if (options.all) {
     session.out->print("all metrics\n{}", metrics_text(result.metrics));
   } else {

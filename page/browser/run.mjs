@@ -1,7 +1,8 @@
 // The pages that the program wrote, in headless Chromium without a network:
 //   node browser/run.mjs DIR [SCREENSHOTS]
-// DIR holds the folders study (recommended, with recordings), simulation (recorded, with a hostile
-// name), sweep, validation and studies (study beside a committed one), each with its report.html.
+// DIR holds the folders study (recommended, with recordings), dual (two barriers, a long description),
+// robust (over events), simulation (recorded, with a hostile name), sweep, validation and studies (study
+// beside a committed one), each with its report.html.
 // See .ci/page.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -89,6 +90,23 @@ for (const kind of kinds) {
     });
   }
 
+  test(`${kind}: fits a narrow screen`, async () => {
+    const { page, close } = await visit(join(folder, kind, 'report.html'), { viewport: { width: 390, height: 800 } });
+    await look(page);
+    const [wide, view] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+    assert.ok(wide <= view + 1, `${wide} pixels wide on a screen of ${view}`);
+    // The parts of the page are listed across the screen, and names of axes can be read.
+    const nav = await page.$eval('nav', (one) => one.getBoundingClientRect().width);
+    assert.ok(nav > 300, `the list of parts is ${nav} pixels wide`);
+    for (const [room, axes] of await page.$$eval('.chart.axes', (list) => list.map((one) => [one.clientWidth, Number(getComputedStyle(one).getPropertyValue('--axes'))]))) {
+      assert.ok(room >= 80 * axes, `${room} pixels for ${axes - 1} axes`);
+    }
+    await shoot(page, `${kind}-narrow`, { fullPage: true });
+    await close();
+  });
+}
+
+for (const kind of [...kinds, 'dual', 'robust']) {
   test(`${kind}: prints with page one on A4`, async () => {
     const { page, wrong, close } = await visit(join(folder, kind, 'report.html'));
     await look(page);
@@ -101,7 +119,15 @@ for (const kind of kinds) {
       assert.ok(Math.abs(width - (180 / 25.4) * 96) < 1, `a drawing ${width} pixels wide is not 180 mm`);
     }
     const first = await page.evaluate(() => document.querySelector('main section').getBoundingClientRect().bottom + scrollY);
-    if (kind === 'study') assert.ok(first <= (269 / 25.4) * 96, `page one is ${first} pixels high`); // 297 mm less its margins
+    if (['study', 'dual', 'robust'].includes(kind)) assert.ok(first <= (269 / 25.4) * 96, `page one is ${first} pixels high`); // 297 mm less its margins
+    // Nothing is cut off or drawn out: tables have all their columns, flows their proportions.
+    for (const [right, what] of await page.$$eval('#build table, #sure table, #designs table, main canvas, main svg', (list) => list.map((one) => [one.getBoundingClientRect().right, one.className]))) {
+      assert.ok(right <= 689, `${what} reaches to ${right} of 688 pixels`);
+    }
+    for (const [drawn, own] of await page.$$eval('canvas.flow', (list) => list.map((one) => [one.clientWidth / one.clientHeight, one.width / one.height]))) {
+      assert.ok(Math.abs(drawn / own - 1) < 0.02, `a flow is drawn ${drawn} to 1 instead of ${own}`);
+    }
+    for (const one of await page.$$('button')) assert.ok(!(await one.isVisible()) || (await one.getAttribute('class')) === 'sort', `a button is printed: ${await one.textContent()}`);
     const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
     const text = pdf.toString('latin1');
     assert.match(text, /\/MediaBox \[0 0 59[45]\.\d+ 84[12]\.\d+\]/); // 210 by 297 mm in points
@@ -109,16 +135,78 @@ for (const kind of kinds) {
     assert.deepEqual(wrong, []);
     await close();
   });
+}
 
-  test(`${kind}: fits a narrow screen`, async () => {
-    const { page, close } = await visit(join(folder, kind, 'report.html'), { viewport: { width: 390, height: 800 } });
-    await look(page);
-    const [wide, view] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
-    assert.ok(wide <= view + 1, `${wide} pixels wide on a screen of ${view}`);
-    await shoot(page, `${kind}-narrow`, { fullPage: true });
+/** Pairs of words of a drawing that lie over each other; turned words as they stand. */
+function overlaps(drawing) {
+  const corners = (text) => {
+    const { x, y, width, height } = text.getBBox();
+    const to = text.getScreenCTM();
+    const thin = 0.22 * height; // letters do not fill their lines
+    return [[x, y + thin], [x + width, y + thin], [x + width, y + height - thin], [x, y + height - thin]].map(([a, b]) => [to.a * a + to.c * b + to.e, to.b * a + to.d * b + to.f]);
+  };
+  const apart = (a, b) =>
+    [a, b].some((box) =>
+      [0, 1].some((k) => {
+        const axis = [box[k + 1][1] - box[k][1], box[k][0] - box[k + 1][0]];
+        const along = (points) => points.map(([x, y]) => x * axis[0] + y * axis[1]);
+        const [p, q] = [along(a), along(b)];
+        return Math.max(...p) < Math.min(...q) || Math.max(...q) < Math.min(...p);
+      }),
+    );
+  const texts = [...drawing.querySelectorAll('text')].map((one) => [one.textContent, corners(one)]);
+  return texts.flatMap(([words, box], k) => texts.slice(k + 1).filter(([, other]) => !apart(box, other)).map(([other]) => `${words} and ${other}`));
+}
+
+for (const kind of ['study', 'dual', 'robust', 'simulation', 'sweep', 'studies']) {
+  test(`${kind}: no words of a drawing lie over each other`, async () => {
+    const { page, close } = await visit(join(folder, kind, 'report.html'));
+    const drawings = page.locator('svg.drawing');
+    assert.ok((await drawings.count()) > 0);
+    for (const one of await drawings.all()) assert.deepEqual(await one.evaluate(overlaps), []);
     await close();
   });
 }
+
+test('studies: a drawing names its own study and hash', async () => {
+  const { page, close } = await visit(join(folder, 'studies/report.html'));
+  const { studies } = await page.evaluate(() => JSON.parse(document.getElementById('page-data').textContent));
+  const texts = (await page.$$eval('#flow svg.drawing', (list) => list.map((one) => one.textContent))).join('\n');
+  for (const one of studies) assert.ok(texts.includes(`Hash${one.hash}`) && texts.includes(`Study${one.label}`), one.label);
+  await close();
+});
+
+test('study: warnings are those of the log, beside each design and apart in the front', async () => {
+  const { page, close } = await visit(join(folder, 'dual/report.html'));
+  const log = lines('dual/evaluations.jsonl').filter((one) => one.status !== 'refused');
+  const data = await page.evaluate(() => JSON.parse(document.getElementById('page-data').textContent));
+  log.forEach((one, row) => {
+    for (const { text } of one.warnings ?? []) assert.ok(data.designs.warnings[row].includes(text), `${one.id}: ${text}`);
+  });
+  const warned = log.filter((one, row) => data.designs.front[row] && data.designs.warnings[row].length > 0).map((one) => one.id);
+  assert.ok(warned.length > 0);
+  await page.fill('#designs input[type=search]', 'kind = front (warned), warnings > 0');
+  const shown = await page.$$eval('#designs tbody input', (list) => list.map((one) => one.getAttribute('aria-label').replace('Compare design ', '')));
+  assert.deepEqual(shown, warned);
+  await close();
+});
+
+test('study: every surrogate can be looked at, also two of one metric', async () => {
+  const { page, wrong, close } = await visit(join(folder, 'robust/report.html'));
+  const { metrics } = json('robust/surrogates.json');
+  const { slices } = await page.evaluate(() => JSON.parse(document.getElementById('page-data').textContent));
+  assert.ok(new Set(slices.metrics.map((one) => one.metric)).size < metrics.length, 'two surrogates are meant to model one metric');
+  const options = await page.$$eval('#why label:has-text("Quantity") option', (list) => list.map((one) => one.value));
+  assert.deepEqual(options, metrics.map((one) => one.name));
+  const titles = new Set();
+  for (const one of metrics) {
+    await page.selectOption('#why label:has-text("Quantity") select', one.name);
+    titles.add(await page.textContent('#why h3'));
+  }
+  assert.equal(titles.size, metrics.length);
+  assert.deepEqual(wrong, []);
+  await close();
+});
 
 test('study: its numbers are those of the JSON files', async () => {
   const advice = json('study/recommendation.json');
@@ -363,7 +451,7 @@ test('a served page hears of new designs', { skip: !process.env.PARAPET }, async
     page.on('pageerror', (error) => wrong.push(error.message));
     await page.goto(address);
     await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
-    assert.match(await page.textContent('.live'), /waiting for the next design/);
+    assert.match(await page.textContent('.live'), /nothing new yet/); // the study has ended
     const summary = JSON.parse(readFileSync(join(study, 'summary.json'), 'utf8'));
     await page.waitForTimeout(700);
     writeFileSync(join(study, 'summary.json'), JSON.stringify({ ...summary, state: 'running' }));
@@ -375,6 +463,7 @@ test('a served page hears of new designs', { skip: !process.env.PARAPET }, async
     await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
     assert.ok(await page.isChecked(`#designs input[aria-label="${id}"]`));
     assert.match(await page.textContent('#build .headline'), /^Best so far: design /);
+    assert.match(await page.textContent('.live'), /waiting for the next design/);
     // Following: it comes by itself, but not at once, or nobody could read it.
     await page.check('.live .tick input');
     await page.waitForTimeout(700);

@@ -1,5 +1,6 @@
 /** Page one: what to build, what to expect of it, and how sure that is. */
-import type { ConstraintResult, DesignReport, PageOne, PageOneLine, StudyPage } from './data';
+import type { StudyPage } from './data';
+import type { ConstraintResult, DesignReport, PageOne, PageOneLine } from './recommendation';
 import { h, type Child } from './dom';
 import { drawing } from './drawing';
 import { numberText, quantity, valueElement, withUncertainty, type Keys } from './format';
@@ -194,7 +195,7 @@ export function surenessParts(page: StudyPage, keys: Keys): Child[] {
   }
   const quality = (sensitivity?.metrics ?? []).filter((one) => one.q_squared !== null);
   if (quality.length > 0) {
-    parts.push(h('p', {}, 'The surrogates, each design left out in turn, explain ', quality.map((one) => `${keys.words(one.metric)}: ${numberText(100 * one.q_squared!)} %`).join('; '), ' of the variation.'));
+    parts.push(h('p', {}, 'The surrogates, each design left out in turn, explain ', quality.map((one) => `${one.name === one.metric ? keys.words(one.metric) : keys.modelled(one.name, one.metric)}: ${numberText(100 * one.q_squared!)} %`).join('; '), ' of the variation.'));
   }
   if (improvement && !improvement.same_design) {
     parts.push(h('p', {}, `Over the best start (${improvement.start_id}): `, improvement.objectives.map((one) => `${keys.words(one.name)} ${keys.quantity(one.name, one.start)} → ${keys.quantity(one.name, one.best)}`).join('; '), '.'));

@@ -1,16 +1,18 @@
 /** How to check it: commands, program, definitions, licences. */
 import type { Common } from './data';
 import { h, section } from './dom';
+import { programText } from './format';
 
 export function checkSection(page: Common): HTMLElement {
-  const { program } = page;
+  const by = page.simulated_by;
   const defined = Object.entries(page.keys).filter(([, info]) => info.definition);
   const licences = document.getElementById('page-licences')?.textContent ?? '';
   const rows: [string, string][] = [
-    ['Program', `parapet ${program.version}${program.git_revision ? `, revision ${program.git_revision}` : ''}`],
-    ['Compiler', program.compiler ?? ''],
+    ['Simulated by', by ? programText(by) : ''],
+    ['Physics', by?.physics !== undefined ? String(by.physics) : ''],
+    ['Compiler', by?.compiler ?? ''],
     ['Hash of the input', page.hash],
-    ['Page written', page.date],
+    ['Page written', `${page.date} by ${programText(page.program)}`],
   ];
   return section(
     'check',

@@ -15,12 +15,13 @@ export interface Quantity {
   goal?: 'maximize' | 'minimize';
 }
 
-export type Kind = 'front' | 'feasible' | 'warned' | 'infeasible' | 'coarse' | 'failed';
+export type Kind = 'front' | 'front-warned' | 'feasible' | 'warned' | 'infeasible' | 'coarse' | 'failed';
 
 export const kinds: { kind: Kind; words: string; short: string }[] = [
   { kind: 'front', words: 'on the front', short: 'front' },
+  { kind: 'front-warned', words: 'on the front, with warnings', short: 'front (warned)' },
   { kind: 'feasible', words: 'meets every constraint', short: 'feasible' },
-  { kind: 'warned', words: 'meets them, with warnings', short: 'feasible, warned' },
+  { kind: 'warned', words: 'meets them, with warnings', short: 'feasible (warned)' },
   { kind: 'infeasible', words: 'breaks a constraint', short: 'infeasible' },
   { kind: 'coarse', words: 'simulated coarsely', short: 'coarse' },
   { kind: 'failed', words: 'failed', short: 'failed' },
@@ -65,11 +66,12 @@ export class DesignTable {
   private kindOf(row: number): Kind {
     const { designs, finest_spacing_m } = this.page;
     if (designs.status[row] !== 'ok') return 'failed';
-    if (designs.front[row]) return 'front';
+    const warned = (designs.warnings[row] ?? []).length > 0;
+    if (designs.front[row]) return warned ? 'front-warned' : 'front';
     const coarse = designs.counts ? !designs.counts[row] : designs.spacing_m[row]! > (finest_spacing_m ?? Infinity) * (1 + 1e-9);
     if (coarse) return 'coarse';
     if (!designs.feasible[row]) return 'infeasible';
-    return (designs.warnings[row] ?? []).length > 0 ? 'warned' : 'feasible';
+    return warned ? 'warned' : 'feasible';
   }
 
   /** "0035: angle 58°, height 0.139 m". */
@@ -80,6 +82,9 @@ export class DesignTable {
       .join(', ');
   }
 }
+
+/** Whether designs of a kind are on the front. */
+export const onFront = (kind: Kind): boolean => kind === 'front' || kind === 'front-warned';
 
 /** A place on an axis: the value, or the number of an option. */
 export function axisValue(quantity: Quantity, row: number): number | null {

@@ -113,6 +113,17 @@ function bed(view: View, world: (x: number, z: number) => Point, from: number, t
   return svg('path', { class: 'bed', d: marks });
 }
 
+/** The slope as a triangle below and left of a corner: above the bed's lower end nothing else is drawn. */
+function slopeMark(slopeDeg: number, corner: Point): Child[] {
+  const s = (slopeDeg * Math.PI) / 180;
+  const [dx, dy] = [12 * Math.cos(s), 12 * Math.sin(s)];
+  const start: Point = [corner[0] - dx, corner[1]];
+  return [
+    svg('path', { class: 'dimension-line', d: path([start, corner, [corner[0], corner[1] + dy]], true) }),
+    text([start[0] - 1.5, corner[1] + 1], `${Number(slopeDeg.toFixed(2))}°`, { 'text-anchor': 'end' }),
+  ];
+}
+
 function overview(scene: Scene, top: number, metres: boolean): { parts: Child[]; height: number; scale: number } {
   const world = toWorld(scene.slope_deg);
   const length = usefulLength(scene);
@@ -121,7 +132,7 @@ function overview(scene: Scene, top: number, metres: boolean): { parts: Child[];
   for (const b of scene.barriers) points.push(...b.outline.map(([x, z]) => world(x, z)));
   const box = boxOf(points);
   // Low enough that the sheet leaves room for the numbers on page one.
-  const scale = Math.max(scaleFor(box.right - box.left, sheetWidth - 20), scaleFor(box.top - box.bottom, 54));
+  const scale = Math.max(scaleFor(box.right - box.left, sheetWidth - 20), scaleFor(box.top - box.bottom, 50));
   const view = new View(box, scale, (sheetWidth - View.width(box, scale)) / 2, top + 6);
   const at = (x: number, z: number): Point => view.at(world(x, z));
   const wall = at(0, 0);
@@ -137,12 +148,10 @@ function overview(scene: Scene, top: number, metres: boolean): { parts: Child[];
     parts.push(dimension(at(from[0], 0), at(foot[0], 0), -9, dimensionText(foot[0] - from[0], metres)));
     from = foot;
   }
-  const end = at(length, 0);
-  parts.push(
-    svg('path', { class: 'dimension-line', d: path([end, [end[0] - 16, end[1]]]) }),
-    text([end[0] - 17, end[1] + 1], `${Number(scene.slope_deg.toFixed(2))}°`, { 'text-anchor': 'end' }),
-  );
-  return { parts, height: View.height(box, scale) + 15, scale };
+  parts.push(...slopeMark(scene.slope_deg, [at(length, 0)[0], top + 2]));
+  // The bed's lower end, or the dimensions where the bed is flat.
+  const lowest = Math.max(at(length, 0)[1] + 3, at(from[0], 0)[1] + 12 * Math.cos((scene.slope_deg * Math.PI) / 180));
+  return { parts, height: lowest - top, scale };
 }
 
 function detail(
@@ -160,7 +169,7 @@ function detail(
   const size = Math.max(barrier.height_m, barrier.deflector?.length_m ?? 0);
   points.push(world(foot[0] - 0.35 * size, 0), world(foot[0] + 0.5 * size, 0));
   const box = boxOf(points);
-  const scale = Math.max(scaleFor(box.right - box.left, width - 34), scaleFor(box.top - box.bottom, 40));
+  const scale = Math.max(scaleFor(box.right - box.left, width - 34), scaleFor(box.top - box.bottom, 36));
   const view = new View(box, scale, left + (width - View.width(box, scale)) / 2 + 4, top + 12);
   const at = (p: Point): Point => view.at(world(p[0], p[1]));
   const [f, c] = [at(foot), at(crest)];
@@ -209,7 +218,7 @@ function titleBlock(block: TitleBlock, top: number, scale: number, metres: boole
     ['Date', block.date, 120],
     ['Hash', block.hash, 0],
     ['Program', block.program, 60],
-    ['Scale', `${scaleText(scale)} at 180 mm; ${metres ? 'lengths with unit' : 'lengths in mm'}`, 120],
+    ['Scale', `${scaleText(scale)} at 180 mm${metres ? '' : '; lengths in mm'}`, 120],
   ];
   const shorten = (words: string): string => (words.length > 34 ? `${words.slice(0, 33)}…` : words);
   return [

@@ -1,6 +1,7 @@
 /** What each variable does: Sobol' indices, main effects, and slices through the chosen design. */
 import { axisStyle, Chart, tooltipStyle } from './chart';
-import type { MainEffect, Slice, StudyPage } from './data';
+import type { Slice, StudyPage } from './data';
+import type { MainEffect } from './recommendation';
 import { h, select } from './dom';
 import { numberText, type Keys } from './format';
 import { color } from './theme';
@@ -133,16 +134,19 @@ function sobolChart(names: string[], first: { value: number; lower_95: number; u
 export function effectsView(page: StudyPage, keys: Keys): HTMLElement {
   const { sensitivity } = page.recommendation;
   const slices = page.slices?.metrics ?? [];
-  const names = [...new Set([...(sensitivity?.metrics ?? []).map((one) => one.metric), ...slices.map((one) => one.metric)])];
+  // By the surrogate's name: two may model one metric, such as a quantile and a share of the events.
+  const titles = new Map([...(sensitivity?.metrics ?? []), ...slices].map((one) => [one.name, keys.modelled(one.name, one.metric)]));
+  const names = [...titles.keys()];
   if (names.length === 0) {
     return h('p', { class: 'note' }, 'The study has no surrogates: too few designs ended well, or its method fits none.');
   }
   const place = h('div');
   const shown: Chart[] = [];
-  const show = (metric: string): void => {
+  const show = (name: string): void => {
+    const title = titles.get(name)!;
     shown.splice(0).forEach((chart) => chart.dispose());
     const parts: Node[] = [];
-    const one = sensitivity?.metrics.find((entry) => entry.metric === metric);
+    const one = sensitivity?.metrics.find((entry) => entry.name === name);
     const curves = h('div', { class: 'panels' });
     const keep = (chart: Chart): Chart => {
       shown.push(chart);
@@ -158,35 +162,35 @@ export function effectsView(page: StudyPage, keys: Keys): HTMLElement {
             one.variables.map((v) => keys.words(v.name)),
             one.variables.map((v) => v.first),
             one.variables.map((v) => v.total),
-            keys.words(metric),
+            title,
           ),
         ).element,
       );
       for (const variable of one.variables) {
-        const chart = keep(curveChart(ofEffect(variable.main_effect), keys.label(variable.name), keys.label(metric), undefined));
+        const chart = keep(curveChart(ofEffect(variable.main_effect), keys.label(variable.name), title, undefined));
         curves.append(h('figure', {}, h('figcaption', {}, keys.words(variable.name)), chart.element));
       }
-      parts.push(h('h3', {}, `Main effects: ${keys.label(metric)}, averaged over all other variables`), curves);
+      parts.push(h('h3', {}, `Main effects: ${title}, averaged over all other variables`), curves);
     } else {
       parts.push(
         h('p', { class: 'note' }, 'Sobol\' indices and main effects come with the recommendation: ', h('code', {}, page.commands.find((c) => c.what.includes('recommend'))?.command ?? 'parapet recommend DIR')),
       );
     }
-    const cut = slices.find((entry) => entry.metric === metric);
+    const cut = slices.find((entry) => entry.name === name);
     if (cut) {
       const panels = h('div', { class: 'panels' });
       for (const slice of cut.slices) {
         const variables = page.designs.variables[slice.variable] ?? [];
         const row = page.designs.id.indexOf(page.slices!.design);
-        const chart = keep(curveChart(ofSlice(slice), keys.label(slice.variable), keys.label(metric), variables[row] ?? undefined));
+        const chart = keep(curveChart(ofSlice(slice), keys.label(slice.variable), title, variables[row] ?? undefined));
         panels.append(h('figure', {}, h('figcaption', {}, keys.words(slice.variable)), chart.element));
       }
-      parts.push(h('h3', {}, `Slices through design ${page.slices!.design}: ${keys.label(metric)}, the others kept`), panels);
+      parts.push(h('h3', {}, `Slices through design ${page.slices!.design}: ${title}, the others kept`), panels);
     }
     place.replaceChildren(...parts);
   };
   const start = view.choice('effects', names, names[0]!);
-  const element = h('div', {}, select('Quantity', names.map((name) => ({ value: name, text: keys.label(name) })), start, (name) => {
+  const element = h('div', {}, select('Quantity', names.map((name) => ({ value: name, text: titles.get(name)! })), start, (name) => {
     view.set('effects', name);
     show(name);
   }), place);

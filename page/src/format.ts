@@ -1,5 +1,5 @@
 /** Numbers as people read them. */
-import type { Common } from './data';
+import type { Common, Program } from './data';
 import { h } from './dom';
 
 /** Four significant digits; never 1e+03 for a thousand. */
@@ -43,6 +43,11 @@ export class Keys {
     return unit === '' ? this.words(key) : `${this.words(key)} [${unit}]`;
   }
 
+  /** What a surrogate models: a metric's label, or a statistic of it over the events in words. */
+  modelled(name: string, metric: string): string {
+    return name === metric ? this.label(metric) : name.split(metric).join(this.words(metric));
+  }
+
   definition(key: string): string | undefined {
     return this.page.keys[key]?.definition;
   }
@@ -56,6 +61,11 @@ export class Keys {
 export function valueElement(value: number | null | undefined, text = numberText(value)): HTMLElement {
   if (value === null || value === undefined) return h('span', { class: 'none' }, '–');
   return h('data', { value: String(value), title: String(value) }, text);
+}
+
+/** "parapet 0.1.0 (81e30a8d018a)". */
+export function programText({ version, git_revision }: Program): string {
+  return `parapet ${version}${git_revision ? ` (${git_revision})` : ''}`;
 }
 
 /** "3 designs", "1 design". */

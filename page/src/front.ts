@@ -1,9 +1,9 @@
 /** The front and everything around it: any quantity against any other. */
 import type { ECharts } from 'echarts/core';
 import { axisStyle, Chart, tooltipStyle } from './chart';
-import type { Recommendation } from './data';
+import type { Recommendation } from './recommendation';
 import { palette } from './colors';
-import { axisValue, kinds, type DesignTable, type Kind, type Quantity } from './designs';
+import { axisValue, kinds, onFront, type DesignTable, type Kind, type Quantity } from './designs';
 import { checkbox, h, select } from './dom';
 import type { Keys } from './format';
 import type { Store } from './store';
@@ -12,6 +12,7 @@ import { view } from './view';
 
 const symbols: Record<Kind, string> = {
   front: 'diamond',
+  'front-warned': 'emptyDiamond',
   feasible: 'circle',
   warned: 'triangle',
   infeasible: 'path://M0 0L1 0L5 4L9 0L10 0L10 1L6 5L10 9L10 10L9 10L5 6L1 10L0 10L0 9L4 5L0 1Z',
@@ -28,7 +29,7 @@ interface Point {
 export class FrontView {
   readonly element: HTMLElement;
   private readonly chart: Chart;
-  private readonly shown = new Set<Kind>(['front', 'feasible', 'warned', 'infeasible']);
+  private readonly shown = new Set<Kind>(['front', 'front-warned', 'feasible', 'warned', 'infeasible']);
   private readonly hover: Set<string>;
   private x: Quantity;
   private y: Quantity;
@@ -59,7 +60,7 @@ export class FrontView {
     this.chart.whenReady((chart) => this.listen(chart));
     store.selectionChanged(() => this.chart.update());
     store.filterChanged(() => this.chart.update());
-    this.element = h('div', {}, this.fields(), this.chart.element, this.hoverChoice());
+    this.element = h('div', {}, this.fields(), this.chart.element, this.barNote(), this.hoverChoice());
   }
 
   private fields(): HTMLElement {
@@ -108,6 +109,19 @@ export class FrontView {
     return row;
   }
 
+  /** What the bars are; over drawn events they need not hold what was simulated. */
+  private barNote(): HTMLElement | null {
+    if ((this.advice.front ?? []).length === 0) return null;
+    const events = this.table.page.objectives.some((one) => one.statistic !== undefined);
+    return h(
+      'p',
+      { class: 'note' },
+      events
+        ? 'Bars: 95 % intervals of what the surrogates estimate over all events. A mark is the value of the simulated events alone and may lie outside.'
+        : 'Bars: 95 % intervals of what the surrogates estimate.',
+    );
+  }
+
   private hoverChoice(): HTMLElement {
     return h(
       'details',
@@ -141,6 +155,7 @@ export class FrontView {
       }
     }
     if (designs.reason[row]) lines.push(designs.reason[row]!);
+    for (const words of designs.warnings[row] ?? []) lines.push(`Warning: ${words}`);
     return lines.join('\n').replace(/[{}|]/g, ' '); // what ECharts' rich text would read as marks
   }
 
@@ -196,6 +211,7 @@ export class FrontView {
   private option(): Record<string, unknown> {
     const colors: Record<Kind, string> = {
       front: color('accent'),
+      'front-warned': color('accent'),
       feasible: color('good'),
       warned: color('warn'),
       infeasible: color('bad'),
@@ -208,6 +224,8 @@ export class FrontView {
         data: one.options,
         scale: true,
         boundaryGap: one.options ? true : ['4%', '4%'],
+        // What is never negative has no negative axis.
+        ...(one.options ? {} : { min: (of: { min: number; max: number }) => (of.min >= 0 && of.min < 0.05 * of.max ? 0 : undefined) }),
         ...extra,
       });
     const series: object[] = kinds.map(({ kind, words }) => ({
@@ -216,10 +234,10 @@ export class FrontView {
       name: words,
       data: this.shown.has(kind) ? this.points(kind) : [],
       symbol: symbols[kind],
-      symbolSize: kind === 'front' ? 13 : 8,
-      itemStyle: { color: this.byOption ? color('soft') : colors[kind], opacity: kind === 'front' ? 1 : 0.75, borderColor: colors[kind] },
+      symbolSize: onFront(kind) ? 13 : 8,
+      itemStyle: { color: this.byOption ? color('soft') : colors[kind], opacity: onFront(kind) ? 1 : 0.75, borderColor: colors[kind] },
       animation: false,
-      z: kind === 'front' ? 4 : 3,
+      z: onFront(kind) ? 4 : 3,
     }));
     const recommended = this.advice.recommended?.id;
     const chosen = [...new Set([...(recommended ? [recommended] : []), ...this.store.selected])].flatMap((id) => {
@@ -245,8 +263,8 @@ export class FrontView {
       data: chosen,
       symbol: 'circle',
       symbolSize: 22,
-      itemStyle: { color: 'transparent', borderColor: color('text'), borderWidth: 2 },
-      label: { show: true, position: 'top', color: color('text'), fontSize: 13 },
+      itemStyle: { color: 'transparent', borderColor: color('text'), borderWidth: 2, opacity: 1 },
+      label: { show: true, position: 'top', color: color('text'), fontSize: 13, textBorderColor: color('paper'), textBorderWidth: 4 },
       labelLayout: { hideOverlap: false, moveOverlap: 'shiftY' },
       animation: false,
       z: 5,

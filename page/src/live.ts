@@ -8,8 +8,9 @@ export function patience(loading: number): number {
   return Math.max(5000, 5 * loading);
 }
 
-export function liveBar(): HTMLElement {
-  const status = h('span', { role: 'status' }, 'Live: waiting for the next design.');
+/** @param state of the study: "running", "done"; empty where the page is of none */
+export function liveBar(state: string): HTMLElement {
+  const status = h('span', { role: 'status' }, state === 'running' ? 'Live: waiting for the next design.' : 'Live: nothing new yet.');
   const made = performance.now();
   let planned = false;
   const show = (): void => {

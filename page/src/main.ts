@@ -1,7 +1,8 @@
 import './page.css';
-import { readPage, type Page } from './data';
+import { readPage } from './blocks';
+import type { Page } from './data';
 import { h } from './dom';
-import { Keys } from './format';
+import { Keys, programText } from './format';
 import { liveBar } from './live';
 import { simulationSections } from './simulation';
 import { studiesSections } from './studies';
@@ -49,8 +50,8 @@ function show(page: Page): void {
       saveButton(page.name),
       themeButton(),
     ),
-    h('main', { id: 'main', tabindex: -1 }, page.description ? h('p', { class: 'description' }, page.description) : '', page.live && location.protocol === 'http:' ? liveBar() : '', ...sections),
-    h('footer', {}, `Written by parapet ${page.program.version}${page.program.git_revision ? ` (${page.program.git_revision})` : ''} on ${page.date.slice(0, 10)}. This page asks for nothing from anywhere.`),
+    h('main', { id: 'main', tabindex: -1 }, page.description ? h('p', { class: 'description' }, page.description) : '', page.live && location.protocol === 'http:' ? liveBar(page.kind === 'study' ? page.state : '') : '', ...sections),
+    h('footer', {}, `Written by ${programText(page.program)} on ${page.date.slice(0, 10)}. This page asks for nothing from anywhere.`),
   );
   document.documentElement.dataset['ready'] = 'true';
 }

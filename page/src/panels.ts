@@ -6,6 +6,11 @@ export interface Panel {
   columns: string[];
 }
 
+/** Columns of all runs: one may have more barriers than another. */
+export function allColumns(runs: string[][]): string[] {
+  return [...new Set(runs.flat())];
+}
+
 /** Panels of all columns but the time, in the order of the columns. */
 export function panels(columns: string[]): Panel[] {
   const found = new Map<string, Panel>();

@@ -2,7 +2,7 @@
 import type { ECharts } from 'echarts/core';
 import { Chart } from './chart';
 import { palette } from './colors';
-import { axisValue, bestRows, type DesignTable, type Quantity } from './designs';
+import { axisValue, bestRows, onFront, type DesignTable, type Quantity } from './designs';
 import { button, checkbox, h, select } from './dom';
 import type { Keys } from './format';
 import type { Store } from './store';
@@ -28,7 +28,7 @@ export class ParallelView {
     this.chart = new Chart(
       () => `Parallel coordinates of ${this.shownAxes().map((one) => one.label).join(', ')} for the designs that ended well`,
       () => this.option(),
-      'tall',
+      'axes',
     );
     this.chart.whenReady((chart) => {
       this.chart_ = chart;
@@ -39,7 +39,9 @@ export class ParallelView {
       this.count();
       if (!this.own) this.chart.update();
     });
-    this.element = h('div', {}, this.fields(), this.chart.element, this.axisChoice());
+    this.wide();
+    const frame = h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Parallel coordinates' }, this.chart.element);
+    this.element = h('div', {}, this.fields(), frame, this.axisChoice());
     this.count();
   }
 
@@ -90,6 +92,7 @@ export class ParallelView {
             if (on) this.axes.add(one.key);
             else this.axes.delete(one.key);
             view.set('parallel.axes', [...this.axes]);
+            this.wide();
             this.chart_?.clear();
             this.chart_?.setOption(this.option());
           }),
@@ -106,6 +109,11 @@ export class ParallelView {
 
   private shownAxes(): Quantity[] {
     return this.table.quantities.filter((one) => this.axes.has(one.key));
+  }
+
+  /** As wide as its axes need. */
+  private wide(): void {
+    this.chart.element.style.setProperty('--axes', String(this.axes.size + 1));
   }
 
   private rows(): number[] {
@@ -167,13 +175,13 @@ export class ParallelView {
             const place = this.store.selected.indexOf(id[row]!);
             const main = place >= 0;
             const option = this.byOption ? axisValue(this.byOption, row) : null;
-            const plain = option !== null ? palette[option % palette.length]! : kind === 'front' ? color('accent') : kind === 'infeasible' ? color('bad') : color('good');
+            const plain = option !== null ? palette[option % palette.length]! : onFront(kind) ? color('accent') : kind === 'infeasible' ? color('bad') : color('good');
             const passes = this.store.passes(row) || main;
             return {
               value: axes.map((one) => (one.options ? (one.values[row] ?? '-') : (axisValue(one, row) ?? '-'))),
               lineStyle: {
                 color: main && option === null ? palette[place % palette.length] : plain,
-                width: main ? 4 : kind === 'front' ? 2.2 : 1.2,
+                width: main ? 4 : onFront(kind) ? 2.2 : 1.2,
                 ...(main ? { opacity: 1 } : passes ? {} : { opacity: 0.03 }),
               },
             };

@@ -42,6 +42,12 @@ export interface Frame {
 const magic = 'PARAPET\n';
 const chunksKept = 6;
 
+/** The event that was recorded, of a design with several: its recording is called "0020 event_2". */
+export function eventOf(recorded: string, name: string): string {
+  const id = name.slice(name.lastIndexOf('/') + 1);
+  return recorded.startsWith(`${id} `) ? recorded.slice(id.length + 1) : '';
+}
+
 export class Recording {
   readonly header: RecordingHeader;
   private readonly starts: number[] = [];

@@ -10,6 +10,8 @@ export interface Column {
   /** What is shown; default: the value as text. */
   show?: (row: number) => Child;
   numeric?: boolean;
+  /** A name: never broken at its hyphens. */
+  name?: boolean;
 }
 
 /** "launch length < 0.1" and the like, joined by commas; anything else is looked for as text. */

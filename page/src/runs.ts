@@ -1,25 +1,26 @@
 /** Drawings, series and playback of one to four runs side by side. */
-import type { Common, Run } from './data';
-import { blockBytes } from './data';
+import type { Common, Run, StudiesPage } from './data';
+import { blockBytes } from './blocks';
 import { Clock } from './clock';
 import { controls } from './controls';
 import { h, type Child } from './dom';
 import { drawing } from './drawing';
-import type { Keys } from './format';
+import { programText, type Keys } from './format';
 import { Player } from './player';
-import { Recording } from './recording';
+import { eventOf, Recording } from './recording';
 import { readSeries, type Series } from './series';
 import { seriesPanels, type NamedSeries } from './seriesplot';
 import { view } from './view';
 
 export function titleBlock(page: Common, title: string): Parameters<typeof drawing>[1] {
-  const { version, git_revision } = page.program;
+  // Of several studies a run is called STUDY/ID, and is drawn with the hash of its own.
+  const member = page.kind === 'studies' ? (page as StudiesPage).studies.find((one) => title.startsWith(`${one.label}/`)) : undefined;
   return {
-    title,
-    study: page.name,
+    title: member ? title.slice(member.label.length + 1) : title,
+    study: member?.label ?? page.name,
     date: page.date.slice(0, 10),
-    hash: page.hash,
-    program: `parapet ${version}${git_revision ? ` (${git_revision})` : ''}`,
+    hash: member?.hash ?? page.hash,
+    program: programText((member ? member.simulated_by : page.simulated_by) ?? page.program),
   };
 }
 
@@ -77,6 +78,10 @@ export function compareRuns(
       player.remember(`play.box.${k}`);
       end = Math.max(end, recording.end);
       places[k]!.append(player.element);
+      const event = eventOf(recording.header.name, name);
+      if (event) {
+        places[k]!.append(h('p', { class: 'note' }, `Played is ${event}, the event in which the first objective is worst. Time series are kept of studies of one event only.`));
+      }
       players.push(player);
     });
     const start = view.get('play.time', 0);

@@ -6,8 +6,9 @@ import { palette } from './colors';
 import type { Run } from './data';
 import { h, select } from './dom';
 import type { Keys } from './format';
-import { firstPanels, panels, type Panel } from './panels';
+import { allColumns, firstPanels, panels, type Panel } from './panels';
 import type { Series } from './series';
+import { color } from './theme';
 import { view } from './view';
 
 export interface NamedSeries {
@@ -27,6 +28,7 @@ function points(series: Series, values: Float32Array): [number, number | null][]
 /** The windows of a load over the forces of its barrier: as long as the mean, as high as it. */
 function windowLines(panel: Panel, runs: NamedSeries[], keys: Keys): object[] {
   if (!/^force_x/.test(panel.title)) return [];
+  const most = Math.max(...runs.flatMap((run) => run.windows.map((one) => one.value)));
   return runs.flatMap(({ name, windows }, run) =>
     windows
       .filter((one) => panel.columns.includes(`barrier_${one.barrier}_${panel.title}`))
@@ -35,9 +37,22 @@ function windowLines(panel: Panel, runs: NamedSeries[], keys: Keys): object[] {
         type: 'line',
         name: `${runs.length > 1 ? `${name}: ` : ''}${panel.columns.length > 1 ? keys.words(one.key) : keys.words(one.key).replace(/^barrier \d+ /, '')} ${keys.quantity(one.key, one.value)}`,
         data: [
-          [one.from_s, one.value],
+          {
+            value: [one.from_s, one.value],
+            // Named where it stands: a legend of all windows would hide that of the runs.
+            label: {
+              show: runs.length === 1 && one.value > 0.1 * most, // others would lie over each other
+              position: [0, -14],
+              color: palette[run % palette.length],
+              fontSize: 11,
+              textBorderColor: color('paper'),
+              textBorderWidth: 3,
+              formatter: `${keys.words(one.key).replace(/^barrier \d+ /, '')} ${keys.quantity(one.key, one.value)}`,
+            },
+          },
           [one.to_s, one.value],
         ],
+        labelLayout: { hideOverlap: true },
         symbol: 'rect',
         symbolSize: [2, 10],
         animation: false,
@@ -72,16 +87,18 @@ function plot(panel: Panel, runs: NamedSeries[], keys: Keys, clock: Clock): HTML
       }),
     );
   const title = keys.label(panel.columns[0]!).replace(/^barrier \d+ /, '');
+  const windowed = windowLines(panel, runs, keys);
+  const named = lines().map((line) => (line as { name: string }).name);
   const chart: Chart = new MadeChart(
     () => `Time series of ${title} for ${runs.map((run) => run.name).join(', ')}`,
     () => ({
       animation: false,
       grid: { left: 64, right: 16, top: 34, bottom: 44 },
       tooltip: { trigger: 'axis', ...tooltipStyle(), axisPointer: { type: 'line' } },
-      legend: { top: 4, textStyle: { color: axisColor() }, itemHeight: 8, type: 'scroll' },
+      legend: { top: 4, textStyle: { color: color('text'), lineHeight: 16 }, itemHeight: 8, type: 'scroll', data: named },
       xAxis: axisStyle('time [s]', { type: 'value', nameGap: 26, max: clock.end || undefined }),
-      yAxis: axisStyle('', { type: 'value', scale: true }),
-      series: [...lines(), ...windowLines(panel, runs, keys)],
+      yAxis: axisStyle('', { type: 'value', scale: true, boundaryGap: [0, windowed.length > 0 ? '12%' : 0] }),
+      series: [...lines(), ...windowed],
     }),
     'series',
   );
@@ -107,13 +124,9 @@ function plot(panel: Panel, runs: NamedSeries[], keys: Keys, clock: Clock): HTML
   return figure;
 }
 
-function axisColor(): string {
-  return getComputedStyle(document.documentElement).getPropertyValue('--text').trim();
-}
-
 /** Panels of the runs with a choice of what they show. */
 export function seriesPanels(runs: NamedSeries[], keys: Keys, clock: Clock): HTMLElement {
-  const all = panels(runs[0]?.series.columns ?? []);
+  const all = panels(allColumns(runs.map((run) => run.series.columns)));
   const shown = view.get('series.panels', firstPanels(all)).filter((title) => all.some((one) => one.title === title));
   const grid = h('div', { class: 'panels' });
   const make = (): void => {

@@ -54,6 +54,16 @@ function designColumns(table: DesignTable, keys: Keys, store: Store): Column[] {
     });
   }
   columns.push(
+    {
+      key: 'warnings',
+      label: 'Warnings',
+      numeric: true,
+      value: (row) => (designs.warnings[row] ?? []).length,
+      show: (row) => {
+        const warnings = designs.warnings[row] ?? [];
+        return h('span', { title: warnings.join('; ') || undefined }, String(warnings.length));
+      },
+    },
     { key: 'spacing_m', label: 'Spacing [m]', numeric: true, value: (row) => designs.spacing_m[row]! },
     { key: 'stage', label: 'Stage', value: (row) => designs.stage[row]! },
   );
@@ -120,7 +130,11 @@ export function compareSection(table: DesignTable, keys: Keys, store: Store): HT
     place.replaceChildren(
       names.length === 0
         ? h('p', { class: 'note' }, 'Choose designs in the table or in the front.')
-        : compareRuns(table.page, keys, names, (id) => h('span', {}, `Design ${id}`, h('span', { class: 'note' }, ` ${table.words(table.rowOf.get(id)!, keys)}`)), true),
+        : compareRuns(table.page, keys, names, (id) => {
+            const row = table.rowOf.get(id)!;
+            const warnings = table.page.designs.warnings[row] ?? [];
+            return h('span', {}, `Design ${id}`, h('span', { class: 'note' }, ` ${table.words(row, keys)}${warnings.length > 0 ? `. Warnings: ${warnings.join('; ')}` : ''}`));
+          }, true),
     );
   };
   store.selectionChanged(update);

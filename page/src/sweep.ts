@@ -49,7 +49,7 @@ function scorecard(page: SweepPage, keys: Keys): HTMLElement {
   const pairs = pairsOf(page);
   const verdict = (pair: Pair): string => verdictWords[pair.verdict] ?? pair.verdict;
   const columns: Column[] = [
-    { key: 'row', label: 'Row', value: (k) => pairs[k]!.row.id },
+    { key: 'row', label: 'Row', name: true, value: (k) => pairs[k]!.row.id },
     { key: 'metric', label: 'Quantity', value: (k) => keys.label(pairs[k]!.key) },
     { key: 'computed', label: 'Computed', numeric: true, value: (k) => pairs[k]!.value, show: (k) => valueElement(pairs[k]!.value) },
     { key: 'published', label: 'Published', numeric: true, value: (k) => publishedText(pairs[k]!.paper) },
@@ -205,7 +205,7 @@ export function sweepSections(page: SweepPage, keys: Keys): HTMLElement[] {
   store.selectionChanged(() => view.set('chosen', [...store.selected]));
   update();
   const columns: Column[] = [
-    { key: 'id', label: 'Row', value: (k) => page.rows[k]!.id },
+    { key: 'id', label: 'Row', name: true, value: (k) => page.rows[k]!.id },
     { key: 'status', label: 'Status', value: (k) => (page.rows[k]!.status === 'ok' ? 'ok' : `failed: ${page.rows[k]!.reason}`) },
     { key: 'description', label: 'Description', value: (k) => page.rows[k]!.description },
     ...all.map((key): Column => ({ key, label: keys.label(key), title: keys.definition(key), numeric: true, value: (k) => page.rows[k]!.metrics[key] ?? null, show: (k) => valueElement(page.rows[k]!.metrics[key]) })),

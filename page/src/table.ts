@@ -26,7 +26,7 @@ export class Table {
   private readonly body = h('tbody');
   private readonly head = h('tr');
   private readonly status = h('p', { class: 'note', role: 'status' });
-  private readonly pages = h('div', { class: 'row' });
+  private readonly pages = h('div', { class: 'row pages' });
   private sorted: { column: Column; up: boolean } | null = null;
   private own: ((row: number) => boolean) | null = null;
   private page = 0;
@@ -131,7 +131,7 @@ export class Table {
     this.body.replaceChildren(
       ...shown.map((row) => {
         const cells = columns.map((column) =>
-          h('td', { class: column.numeric ? 'number' : '' }, column.show ? column.show(row) : String(column.value(row) ?? '–')),
+          h('td', { class: column.numeric ? 'number' : column.name ? 'name' : '' }, column.show ? column.show(row) : String(column.value(row) ?? '–')),
         );
         const line = h('tr', { class: rowClass?.(row) ?? '' }, ...cells);
         if (onHover) {

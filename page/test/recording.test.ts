@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
-import { flagAtRest, flagPresent, Recording, type RecordingHeader } from '../src/recording';
+import { flagAtRest, flagPresent, Recording, type RecordingHeader, eventOf } from '../src/recording';
 
 /** Writes a recording as docs/recordings.md says, independently of the program. */
 function encode(codes: number[][][], flags: number[][], framesPerChunk: number): Uint8Array {
@@ -83,4 +83,11 @@ test('damaged bytes are refused', async () => {
   const changed = Uint8Array.from(bytes);
   changed[bytes.length - 3]! ^= 255;
   await assert.rejects(new Recording(changed).frame(0));
+});
+
+test('a design of several events says which of them was recorded', () => {
+  assert.equal(eventOf('0020 event_2', '0020'), 'event_2');
+  assert.equal(eventOf('0020 event_2', 'my study/0020'), 'event_2');
+  assert.equal(eventOf('0020', '0020'), '');
+  assert.equal(eventOf('single barrier', 'single barrier'), '');
 });

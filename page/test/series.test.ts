@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { column, readSeries, valueAt } from '../src/series';
-import { firstPanels, panels } from '../src/panels';
+import { allColumns, firstPanels, panels } from '../src/panels';
 
 function encode(columns: string[], rows: number[][]): Uint8Array {
   const planes: number[] = [];
@@ -41,4 +41,11 @@ test('columns of several barriers share a panel', () => {
   const all = panels(['time_s', 'x_m', 'barrier_1_force_x_n_per_m', 'barrier_2_force_x_n_per_m', 'barrier_1_retention_efficiency']);
   assert.deepEqual(all.map((one) => one.columns.length), [1, 2, 1]);
   assert.deepEqual(firstPanels(all), ['retention_efficiency', 'force_x_n_per_m', 'x_m']);
+});
+
+test('runs of one and of two barriers show both barriers', () => {
+  const one = ['time_s', 'barrier_1_force_x_n_per_m'];
+  const two = ['time_s', 'barrier_1_force_x_n_per_m', 'barrier_2_force_x_n_per_m'];
+  assert.deepEqual(panels(allColumns([one, two])), [{ title: 'force_x_n_per_m', columns: two.slice(1) }]);
+  assert.deepEqual(panels(allColumns([one])), [{ title: 'force_x_n_per_m', columns: one.slice(1) }]);
 });

@@ -45,11 +45,18 @@ FrameClock::FrameClock(const RunOptions& options, const Callbacks& callbacks)
       callbacks_(callbacks),
       wanted_(callbacks.on_frame && frames_wanted(options)) {}
 
+// Three times 0.05 s is 0.15000000000000002 s: the decimal number is taken that is meant, where
+// there is one within rounding.
+double FrameClock::regular_time() const {
+  const double time = static_cast<double>(regular_) * options_.frame_interval;
+  const double meant = std::round(time * 1e9) / 1e9;
+  return std::abs(meant - time) <= 4.0 * std::numeric_limits<double>::epsilon() * time ? meant
+                                                                                       : time;
+}
+
 double FrameClock::next_time() const {
   double next = std::numeric_limits<double>::infinity();
-  if (options_.frame_interval > 0.0) {
-    next = static_cast<double>(regular_) * options_.frame_interval;
-  }
+  if (options_.frame_interval > 0.0) next = regular_time();
   if (chosen_ < options_.frame_times.size()) next = std::min(next, options_.frame_times[chosen_]);
   return next;
 }
@@ -57,10 +64,7 @@ double FrameClock::next_time() const {
 // One time may be asked for twice.
 void FrameClock::advance() {
   const double time = next_time();
-  if (options_.frame_interval > 0.0 &&
-      static_cast<double>(regular_) * options_.frame_interval <= time) {
-    ++regular_;
-  }
+  if (options_.frame_interval > 0.0 && regular_time() <= time) ++regular_;
   while (chosen_ < options_.frame_times.size() && options_.frame_times[chosen_] <= time) ++chosen_;
 }
 

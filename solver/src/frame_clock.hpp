@@ -38,6 +38,7 @@ class FrameClock {
     std::vector<std::int32_t> id;
   };
 
+  double regular_time() const;
   double next_time() const;
   void advance();
   void show(Flow& flow, double time, bool last);

@@ -182,6 +182,23 @@ TEST(Report, TheTableOfDesignsHoldsWhatTheLogHolds) {
   EXPECT_PRED_FORMAT2(IsSubstring, ',' + retention + ',', row);
 }
 
+// A page that a later program writes anew must not claim that it simulated.
+TEST(Report, SaysWhichProgramSimulated) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  ASSERT_EQ(run_program(folder.path(), {"simulate", "case.json", "--out", "out"}).exit_code, 0);
+  Json result = Json::parse(file_text(folder / "out/result.json"));
+  result["provenance"]["program_version"] = "0.0.9";
+  result["provenance"]["git_revision"] = "0123456789ab";
+  folder.write("out/result.json", result.dump());
+  ASSERT_EQ(run_program(folder.path(), {"report", "out"}).exit_code, 0);
+  const Json data = page_data(folder / "out/report.html");
+  EXPECT_EQ(data["simulated_by"]["version"], "0.0.9");
+  EXPECT_EQ(data["simulated_by"]["git_revision"], "0123456789ab");
+  EXPECT_EQ(data["simulated_by"]["physics"], result["provenance"]["physics"]);
+  EXPECT_NE(data["program"]["version"], "0.0.9");
+}
+
 TEST(Report, SeveralStudiesComeIntoOneFront) {
   const TemporaryFolder folder;
   Json spec = tiny_study();
@@ -227,6 +244,11 @@ TEST(Report, SeveralStudiesComeIntoOneFront) {
   const Outcome other = run_program(folder.path(), {"report", "a", "c"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_PRED_FORMAT2(IsSubstring, "shares no objective with a", other.err);
+  // Two studies that found the same share their front.
+  fs::copy(folder / "a", folder / "same", fs::copy_options::recursive);
+  ASSERT_EQ(run_program(folder.path(), {"report", "a", "same", "--out", "same.html"}).exit_code, 0);
+  const Json same = page_data(folder / "same.html")["studies"];
+  EXPECT_EQ(same[0]["on_joint_front"], same[1]["on_joint_front"]);
   EXPECT_FALSE(fs::exists(folder / "studies.html"));
 }
 

@@ -19,5 +19,16 @@ TEST(CutToWidth, CountsCharactersAndSplitsNone) {
   EXPECT_EQ(cut_to_width("°°°", 3), "°…");
 }
 
+// At 80 columns with two simulations side by side.
+TEST(ProgressLine, KeepsTheBestAndTheTimeLeftOnANarrowTerminal) {
+  const std::string line =
+      progress_line("4 of 12 designs", "best retention_efficiency 0.8096 (0002)",
+                    "at most 5 s left", "0005 at 1.10 of 3.00 s, 0006 at 0.43 of 3.00 s");
+  EXPECT_EQ(cut_to_width(line, 80),
+            "4 of 12 designs; best retention_efficiency 0.8096 (0002); at most 5 s left; 00…");
+  EXPECT_EQ(progress_line("", "", "estimating", "H10-D45 at 0.1 of 3 s"),
+            "estimating; H10-D45 at 0.1 of 3 s");
+}
+
 }  // namespace
 }  // namespace parapet::cli

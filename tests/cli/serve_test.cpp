@@ -119,6 +119,7 @@ TEST_F(Serve, GivesThePageAndNothingElse) {
 }
 
 TEST_F(Serve, RefusesOtherHostsMethodsAndMonsters) {
+  const std::string own_origin = "http://" + own_host();
   EXPECT_TRUE(get("/", "evil.example").starts_with("HTTP/1.1 403"));
   EXPECT_TRUE(get("/", "evil.example:" + std::to_string(port_)).starts_with("HTTP/1.1 403"));
   EXPECT_TRUE(get("/", "localhost:" + std::to_string(port_)).starts_with("HTTP/1.1 200"));
@@ -128,6 +129,14 @@ TEST_F(Serve, RefusesOtherHostsMethodsAndMonsters) {
   EXPECT_TRUE(ask(port_, "GET / HTTP/1.1\r\nHost: " + own_host() +
                              "\r\nSec-Fetch-Site: cross-site\r\nConnection: close\r\n\r\n")
                   .starts_with("HTTP/1.1 403"));
+  for (const auto& [origin, status] :
+       {std::pair("http://evil.example", "403"), std::pair("null", "403"),
+        std::pair(own_origin.c_str(), "200")}) {
+    EXPECT_TRUE(ask(port_, "GET / HTTP/1.1\r\nHost: " + own_host() + "\r\nOrigin: " + origin +
+                               "\r\nConnection: close\r\n\r\n")
+                    .starts_with(std::string("HTTP/1.1 ") + status))
+        << origin;
+  }
   const std::string long_line(100'000, 'a');
   EXPECT_FALSE(get("/" + long_line).starts_with("HTTP/1.1 200"));
   ask(port_, "GET / HTTP/1.1\r\nHost: " + own_host() + "\r\nX: " + long_line + "\r\n\r\n", "", 1);

@@ -59,6 +59,7 @@ std::string simulation_page(const fs::path& folder, const PageOptions& options) 
                   result.at("/provenance/spec_hash"_json_pointer).get<std::string>(), options);
   const Json& spec = result.at("case");
   page["description"] = spec.is_object() ? spec.value("description", "") : "";
+  page["simulated_by"] = simulated_by(result.at("provenance"));
   page["result"] = result;
   page["result"].erase("case");
   add_metric_keys(page, result.at("metrics"));
@@ -110,6 +111,7 @@ std::string sweep_page(const fs::path& file, const PageOptions& options) {
   const Json provenance = sweep.value("provenance", Json::object());
   const std::string name = sweep.at("name").get<std::string>();
   Json page = common_json("sweep", name, provenance.value("spec_hash", ""), options);
+  page["simulated_by"] = simulated_by(provenance);
   page["source"] = sweep.value("source", "");
   page["spacing_m"] = sweep.at("spacing_m");
   page["rows"] = Json::array();

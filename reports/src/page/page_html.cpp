@@ -98,6 +98,15 @@ PageBlock page_block(std::string id, std::string_view bytes) {
   return {.id = std::move(id), .base64 = text_base64(bytes)};
 }
 
+Json simulated_by(const Json& provenance) {
+  if (!provenance.is_object() || !provenance.contains("program_version")) return nullptr;
+  Json program{{"version", provenance.at("program_version")}};
+  for (const char* key : {"git_revision", "compiler", "physics"}) {
+    if (provenance.contains(key)) program[key] = provenance.at(key);
+  }
+  return program;
+}
+
 Json common_json(const std::string& kind, const std::string& name, const std::string& hash,
                  const PageOptions& options) {
   Json program{{"version", options.program.version},

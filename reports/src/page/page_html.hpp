@@ -20,6 +20,10 @@ struct PageBlock {
 /// Bytes as a block.
 PageBlock page_block(std::string id, std::string_view bytes);
 
+/// What of a provenance says by which program the results were simulated, which need not be the one
+/// that writes the page; null where the provenance does not say.
+designs::Json simulated_by(const designs::Json& provenance);
+
 /// What every page has: format, kind, name, date, program and so on; `keys` and `runs` empty.
 designs::Json common_json(const std::string& kind, const std::string& name, const std::string& hash,
                           const PageOptions& options);

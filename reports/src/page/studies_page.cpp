@@ -168,7 +168,12 @@ std::vector<int> mark_front(Json& table, const std::vector<Member>& list,
   }
   for (Json& mark : table["front"]) mark = false;
   std::vector<int> share(list.size(), 0);
-  for (const std::size_t k : math::non_dominated(points)) {
+  const std::vector<std::size_t> front = math::non_dominated(points);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    // Equal points are on it together: none of the studies found the others' design for them.
+    const bool on_it =
+        std::ranges::any_of(front, [&](std::size_t j) { return points[j] == points[k]; });
+    if (!on_it) continue;
     table["front"][places[k].first] = true;
     ++share[places[k].second];
   }
@@ -227,6 +232,7 @@ std::string studies_page(const std::vector<fs::path>& folders, const PageOptions
     page["studies"].push_back({{"label", one.label},
                                {"folder", one.study.folder.string()},
                                {"hash", one.study.spec_hash},
+                               {"simulated_by", simulated_by(one.study.provenance)},
                                {"state", one.study.state},
                                {"spacing_m", one.advice.study.counted_spacing},
                                {"designs", one.study.designs.size()},

@@ -61,6 +61,7 @@ Json designs_json(const study::LoadedStudy& study, const Recommendation& advice)
     json["front"].push_back(front.contains(record.id));
     json["stop_reason"].push_back(record.stop_reason);
     Json warnings = Json::array();
+    for (const solver::Warning& one : record.warnings) warnings.push_back(one.text);
     if (study.unsettled.contains(record.id)) {
       warnings.push_back("the simulation ended before the flow had settled");
     }

@@ -34,7 +34,8 @@ Json slices_json(const study::LoadedStudy& study, const DesignReport& shown) {
                           {"lower_95", slice.lower_95},
                           {"upper_95", slice.upper_95}});
       }
-      metrics.push_back({{"metric", one.metric}, {"slices", std::move(slices)}});
+      metrics.push_back(
+          {{"name", one.name}, {"metric", one.metric}, {"slices", std::move(slices)}});
     }
     return {{"design", shown.id}, {"metrics", std::move(metrics)}};
   } catch (const Json::exception&) {
@@ -51,6 +52,7 @@ FolderReport study_report(const study::LoadedStudy& study, const Recommendation&
   Json page = common_json("study", study.spec.name, study.spec_hash, options);
   page["description"] = study.spec.description;
   page["state"] = study.state;
+  page["simulated_by"] = simulated_by(study.provenance);
   page["recommendation"] = recommendation_json(advice);
   page["variables"] = page["recommendation"]["study"]["variables"];
   page["objectives"] = page["recommendation"]["study"]["objectives"];

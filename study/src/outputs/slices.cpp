@@ -69,7 +69,9 @@ std::vector<MetricSlices> surrogate_slices(const designs::StudySpec& study,
   for (std::size_t k = 0; k < std::min(stored.size(), problem.metrics.size()); ++k) {
     const auto process = stored_process(surrogates, stored[k]);
     if (!process) continue;
-    MetricSlices one{.metric = problem.metrics[k].quantity.metric, .slices = {}};
+    MetricSlices one{.metric = problem.metrics[k].quantity.metric,
+                     .slices = {},
+                     .name = stored[k].at("name").get<std::string>()};
     for (const designs::Variable& variable : study.variables) {
       // A choice decides which other variables there are: no slice goes across it.
       const bool decides = std::ranges::any_of(study.variables, [&](const auto& other) {

@@ -22,7 +22,7 @@ struct PageOptions {
 };
 
 /// Most bytes of recordings in a page, before they are written as text.
-constexpr std::size_t most_recorded_bytes = 9'500'000;
+constexpr std::size_t most_recorded_bytes = 9'000'000;
 
 /// What is made of a folder of results for people and for other programs.
 struct FolderReport {

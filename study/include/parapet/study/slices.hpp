@@ -20,6 +20,8 @@ struct Slice {
 struct MetricSlices {
   std::string metric;
   std::vector<Slice> slices;  ///< of the variables that the design has, in the study's order
+  std::string name = {};      ///< of the surrogate: a metric may be modelled by two, such as a
+                              ///< quantile and a share of the events
 };
 
 /// @param surrogates format "parapet-surrogates/1"
