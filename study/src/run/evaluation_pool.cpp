@@ -27,17 +27,22 @@ bool EvaluationPool::stopped() const {
   return ended_ || failure_ || cancelled_ || context_.cancelled();
 }
 
+bool EvaluationPool::place_free() const {
+  return under_way_.size() < static_cast<std::size_t>(context_.service.places());
+}
+
 /// False when nothing is under way and nothing more will be.
 bool EvaluationPool::step() {
-  // What has ended goes to disk before the source is asked, which may take its time.
+  // What has ended goes to disk before the source is asked, which may take its time; what waits in
+  // the queue takes its place at once.
   if (!under_way_.empty()) {
     if (auto ended = context_.service.poll()) {
       settle(*std::move(ended));
+      if (place_free() && !queue_.empty()) begin_next();
       return true;
     }
   }
-  const auto places = static_cast<std::size_t>(context_.service.places());
-  if (under_way_.size() < places && begin_next()) return true;
+  if (place_free() && begin_next()) return true;
   if (under_way_.empty()) return false;
   settle(context_.service.wait());
   return true;

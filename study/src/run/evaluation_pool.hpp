@@ -63,6 +63,7 @@ class EvaluationPool {
 
   bool step();
   bool stopped() const;
+  bool place_free() const;
   bool begin_next();
   bool limit_reached();
   void launch(const std::vector<Proposal>& proposals);
