@@ -38,12 +38,14 @@ std::optional<SimulationTask> DesignJob::begin(std::size_t event, int threads) {
   const auto* known = context_.folder.unfinished(run_.design(), run_.spacing(), name);
   if (known != nullptr) {
     keep(event, *known);
+    write_event(event);
     return std::nullopt;
   }
   try {
     return run_.task(event, label(event), threads);
   } catch (const designs::InputError& error) {
     end(event, impossible_scene(error.what()));
+    write_event(event);
     return std::nullopt;
   }
 }
@@ -55,13 +57,20 @@ void DesignJob::end(std::size_t event, records::Simulation simulation) {
 
 void DesignJob::keep(std::size_t event, records::Simulation simulation) {
   run_.set(event, std::move(simulation));
-  // Also what was known is written: the design may have another id now.
-  if (const designs::Scenario* scenario = run_.scenario(event)) {
-    context_.folder.store_simulation(id_, run_.design(), run_.spacing(), *scenario,
-                                     run_.simulation(event).value(),
-                                     records::study_provenance(context_.study, context_.program));
-  }
   --open_;
+}
+
+/// Also what was known is written: the design may have another id now.
+void DesignJob::write_event(std::size_t event) const {
+  const designs::Scenario* scenario = run_.scenario(event);
+  if (scenario == nullptr || !run_.simulation(event)) return;
+  context_.folder.store_simulation(id_, run_.design(), run_.spacing(), *scenario,
+                                   run_.simulation(event).value(),
+                                   records::study_provenance(context_.study, context_.program));
+}
+
+void DesignJob::lose(std::size_t event) {
+  if (run_.simulation(event)) ++open_;
 }
 
 void DesignJob::wait_on_disk() {
@@ -72,14 +81,24 @@ void DesignJob::wait_on_disk() {
   waits_ = true;
 }
 
-records::EvaluationRecord DesignJob::store() const {
-  records::EvaluationRecord record = run_.record();
-  record.id = id_;
-  record.stage = stage_;
-  records::set_program(record, context_.program);
-  context_.folder.store(record, run_.report(context_.program));
+const records::EvaluationRecord& DesignJob::record() {
+  if (!record_) {
+    record_ = run_.record();
+    record_->id = id_;
+    record_->stage = stage_;
+    records::set_program(*record_, context_.program);
+  }
+  return *record_;
+}
+
+void DesignJob::write_report() {
+  context_.folder.store_report(record(), run_.report(context_.program));
+}
+
+records::EvaluationRecord DesignJob::log() {
+  context_.folder.store(record(), nullptr);  // its report is there
   if (run_.scenario(0) == nullptr) context_.folder.discard_simulation(id_);
-  return record;
+  return record();
 }
 
 }  // namespace parapet::study

@@ -69,8 +69,11 @@ class EvaluationPool {
   void launch(const std::vector<Proposal>& proposals);
   std::shared_ptr<Flight> flight_for(std::size_t number, const Proposal& proposal);
   std::string id_for(std::size_t number, const Proposal& proposal);
-  void settle(EndedSimulation ended);
-  void complete(const std::shared_ptr<Flight>& flight);
+  std::vector<Event> fetch_ended();
+  Event settle(EndedSimulation ended);
+  static std::vector<std::exception_ptr> write(const std::vector<std::function<void()>>& writes);
+  void store(const std::vector<Event>& ended);
+  void complete(const std::vector<std::shared_ptr<Flight>>& complete_ones);
   void log(const std::shared_ptr<Flight>& flight);
   void answer(std::size_t number, const records::EvaluationRecord& record);
 

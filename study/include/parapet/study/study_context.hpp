@@ -50,26 +50,38 @@ class DesignJob {
   /// @throws records::FileError
   std::optional<SimulationTask> begin(std::size_t event, int threads);
 
-  /// One event has ended: its simulation is kept, and with scenarios written to disk. A cancelled
-  /// one leaves the event open.
-  /// @throws records::FileError
+  /// One event has ended: its simulation is kept, and with scenarios it must go to disk by
+  /// write_event(). A cancelled one leaves the event open.
   void end(std::size_t event, records::Simulation simulation);
+
+  /// Writes an event that has ended, with scenarios; for several at once from several threads.
+  /// @throws records::FileError
+  void write_event(std::size_t event) const;
+
+  /// An event that could not be written counts as open again.
+  void lose(std::size_t event);
 
   /// Whether every event has ended.
   bool complete() const { return open_ == 0; }
 
-  /// Keeps what has ended on disk until store(): nothing is lost in between. With scenarios it is
-  /// there already.
+  /// Keeps what has ended on disk until it is logged: nothing is lost in between. With scenarios it
+  /// is there already. Of several designs at once from several threads.
   /// @throws records::FileError
   void wait_on_disk();
 
-  /// Writes the record of a complete design into the log.
+  /// Writes the report of a complete design, which must be there before its record. Of several
+  /// designs at once from several threads.
   /// @throws records::FileError
-  records::EvaluationRecord store() const;
+  void write_report();
+
+  /// Writes the record of a complete design into the log; write_report() comes first.
+  /// @throws records::FileError
+  records::EvaluationRecord log();
 
  private:
   std::string label(std::size_t event) const;
   void keep(std::size_t event, records::Simulation simulation);
+  const records::EvaluationRecord& record();
 
   const StudyContext& context_;
   std::string id_;
@@ -77,6 +89,7 @@ class DesignJob {
   DesignRun run_;
   std::size_t open_;  // events that have not ended
   bool waits_ = false;
+  std::optional<records::EvaluationRecord> record_;  // once it is complete
 };
 
 }  // namespace parapet::study
