@@ -254,6 +254,10 @@ void StudyFolder::store_report(const EvaluationRecord& record, const Json& repor
                         json_text(evaluation_report(record, report)));
 }
 
+void StudyFolder::store(const std::vector<EvaluationRecord>& records) {
+  log_.append(records);
+}
+
 void StudyFolder::store(RefusedDesign refused) {
   if (log_.refused().size() < most_refused_designs) log_.append(std::move(refused));
 }

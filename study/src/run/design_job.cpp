@@ -38,14 +38,12 @@ std::optional<SimulationTask> DesignJob::begin(std::size_t event, int threads) {
   const auto* known = context_.folder.unfinished(run_.design(), run_.spacing(), name);
   if (known != nullptr) {
     keep(event, *known);
-    write_event(event);
     return std::nullopt;
   }
   try {
     return run_.task(event, label(event), threads);
   } catch (const designs::InputError& error) {
     end(event, impossible_scene(error.what()));
-    write_event(event);
     return std::nullopt;
   }
 }
@@ -95,10 +93,8 @@ void DesignJob::write_report() {
   context_.folder.store_report(record(), run_.report(context_.program));
 }
 
-records::EvaluationRecord DesignJob::log() {
-  context_.folder.store(record(), nullptr);  // its report is there
+void DesignJob::logged() const {
   if (run_.scenario(0) == nullptr) context_.folder.discard_simulation(id_);
-  return record();
 }
 
 }  // namespace parapet::study

@@ -34,18 +34,32 @@ bool EvaluationPool::place_free() const {
 
 /// False when nothing is under way and nothing more will be.
 bool EvaluationPool::step() {
-  // What has ended goes to disk before the source is asked, which may take its time; what waits in
-  // the queue takes its place at once.
-  if (const std::vector<Event> ended = fetch_ended(); !ended.empty()) {
-    while (place_free() && !queue_.empty() && begin_next()) {
-    }
-    store(ended);
+  // What has ended goes to disk before a source is asked that may take its time; what waits in the
+  // queue, or comes at once, takes its place first.
+  if (std::vector<Event> ended = fetch_ended(); !ended.empty()) {
+    begin_at_once();
+    store(std::move(ended));
     return true;
   }
-  if (place_free() && begin_next()) return true;
+  if (place_free() && begin_next()) {
+    store({});
+    return true;
+  }
   if (under_way_.empty()) return false;
-  store({settle(context_.service.wait())});
+  const Event ended = settle(context_.service.wait());
+  begin_at_once();
+  store({ended});
   return true;
+}
+
+/// What needs no thought.
+void EvaluationPool::begin_at_once() {
+  try {
+    while (place_free() && (!queue_.empty() || source_.is_quick()) && begin_next()) {
+    }
+  } catch (...) {  // what has ended is to be stored all the same
+    if (!failure_) failure_ = std::current_exception();
+  }
 }
 
 /// False when there is nothing to begin at the moment, or ever.
@@ -62,7 +76,7 @@ bool EvaluationPool::begin_next() {
   if (auto task = flight->job->begin(event, flight->threads)) {
     under_way_.emplace(context_.service.submit(*std::move(task)), next);
   } else {
-    complete({flight});
+    ended_at_once_.push_back(next);
   }
   return true;
 }
@@ -196,7 +210,10 @@ std::vector<std::exception_ptr> EvaluationPool::write(
   return failures;
 }
 
-void EvaluationPool::store(const std::vector<Event>& ended) {
+/// These, and what ended without a simulation.
+void EvaluationPool::store(std::vector<Event> ended) {
+  ended.insert(ended.end(), ended_at_once_.begin(), ended_at_once_.end());
+  ended_at_once_.clear();
   std::vector<std::function<void()>> writes;
   for (const auto& [flight, event] : ended) {
     writes.emplace_back([job = flight->job.get(), k = event] { job->write_event(k); });
@@ -239,25 +256,28 @@ void EvaluationPool::complete(const std::vector<std::shared_ptr<Flight>>& comple
         flight->job->complete() && std::find(ready.begin(), ready.end(), flight) == ready.end();
     if (waits) writes.emplace_back([job = flight->job.get()] { job->wait_on_disk(); });
   }
-  std::vector<std::exception_ptr> failures = write(writes);
+  const std::vector<std::exception_ptr> failures = write(writes);
+  std::vector<std::shared_ptr<Flight>> written;
   for (std::size_t k = 0; k < ready.size(); ++k) {
     std::erase(flights_, ready[k]);
-    if (failures[k]) continue;
-    try {
-      log(ready[k]);
-    } catch (...) {
-      failures[k] = std::current_exception();
-    }
+    if (!failures[k]) written.push_back(ready[k]);
   }
+  log(written);
   for (const auto& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
 }
 
-void EvaluationPool::log(const std::shared_ptr<Flight>& flight) {
-  const records::EvaluationRecord record = flight->job->log();
-  if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(record, false);
-  for (const std::size_t number : flight->numbers) answer(number, record);
+/// Records of designs whose reports are written, by one sync; then their answers.
+void EvaluationPool::log(const std::vector<std::shared_ptr<Flight>>& flights) {
+  std::vector<records::EvaluationRecord> records;
+  for (const auto& flight : flights) records.push_back(flight->job->record());
+  context_.folder.store(records);
+  for (std::size_t k = 0; k < flights.size(); ++k) {
+    flights[k]->job->logged();
+    if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(records[k], false);
+    for (const std::size_t number : flights[k]->numbers) answer(number, records[k]);
+  }
 }
 
 void EvaluationPool::answer(std::size_t number, const records::EvaluationRecord& record) {

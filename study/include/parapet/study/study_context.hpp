@@ -47,7 +47,6 @@ class DesignJob {
   /// The task of one event. Empty when nothing is to be simulated: an earlier run left the event's
   /// simulation, or the scene is impossible; the event has ended then.
   /// @param threads that the simulation may use
-  /// @throws records::FileError
   std::optional<SimulationTask> begin(std::size_t event, int threads);
 
   /// One event has ended: its simulation is kept, and with scenarios it must go to disk by
@@ -69,19 +68,20 @@ class DesignJob {
   /// @throws records::FileError
   void wait_on_disk();
 
-  /// Writes the report of a complete design, which must be there before its record. Of several
-  /// designs at once from several threads.
+  /// Writes the report of a complete design, which must be there before the log has its record. Of
+  /// several designs at once from several threads.
   /// @throws records::FileError
   void write_report();
 
-  /// Writes the record of a complete design into the log; write_report() comes first.
-  /// @throws records::FileError
-  records::EvaluationRecord log();
+  /// What the log is to say of a complete design.
+  const records::EvaluationRecord& record();
+
+  /// The log has the record: what waited on disk is not needed any more.
+  void logged() const;
 
  private:
   std::string label(std::size_t event) const;
   void keep(std::size_t event, records::Simulation simulation);
-  const records::EvaluationRecord& record();
 
   const StudyContext& context_;
   std::string id_;
