@@ -1,14 +1,17 @@
-"""How much faster two workers are than one, on two cores.
+"""How much faster two workers are than one, on two cores, and what of it the cores themselves can give.
 
-    PYTHONPATH=build/python python3 bench/cluster/two_workers.py [ROUNDS]
+    PYTHONPATH=build/python python3 bench/cluster/two_workers.py [ROUNDS] [SPACING_MM]
 
-The same designs of experiments, one simulation each, with one worker and with two in turns. Times are of the
-wall, from the first to the last line of the log, so that starting Dask does not count.
+The same designs of experiments, one simulation each, in turns: with one worker and with two, and by the program
+`parapet` (PARAPET_PROGRAM, default build/bin/parapet) with one job and with two. Times are of the wall, for each
+design from the first to the last line of the log, so that starting does not count. The program needs no Dask:
+its ratio is what two cores are worth on this machine with its load. Processor seconds are of the whole command.
 """
 
 from __future__ import annotations
 
 import os
+import resource
 import statistics
 import subprocess
 import sys
@@ -16,15 +19,18 @@ import tempfile
 import time
 from pathlib import Path
 
-import parapet as pp
+root = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("PARAPET_PROGRAM", str(root / "build/bin/parapet"))
+DESIGNS = 24
+COMMANDS = {"workers": [sys.executable, "-m", "parapet"], "program": [PROGRAM]}
 
 
-def timed(folder: Path, jobs: int) -> float:
-    """Seconds of the simulations of one study."""
-    out = folder / f"jobs{jobs}-{time.monotonic_ns()}"
-    command = [sys.executable, "-m", "parapet", "optimize", "study.json", "--quiet"]
-    command += ["--jobs", str(jobs), "--out", str(out)]
+def timed(folder: Path, who: str, jobs: int) -> tuple[float, float]:
+    """Seconds of the wall and of the processors for one design."""
+    out = folder / f"{who}{jobs}-{time.monotonic_ns()}"
+    command = [*COMMANDS[who], "optimize", "study.json", "--quiet", "--jobs", str(jobs), "--out", str(out)]
     log = out / "evaluations.jsonl"
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL) as process:
         while not (log.exists() and log.stat().st_size > 0):
             time.sleep(0.005)
@@ -36,22 +42,35 @@ def timed(folder: Path, jobs: int) -> float:
             if now != count:
                 count, end = now, time.monotonic()
             time.sleep(0.005)
-    return (end - begin) / (count - first)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return (end - begin) / (count - first), used / count
 
 
-def main(rounds: str = "5") -> None:
-    study = pp.Study("single_deflector", spacing_m=0.01)
-    method = {"algorithm": "SOBOL", "max_evaluations": 24}
+def main(rounds: str = "5", spacing_mm: str = "10") -> None:
+    import parapet as pp
+
+    study = pp.Study("single_deflector", spacing_m=float(spacing_mm) / 1000.0)
+    method = {"algorithm": "SOBOL", "max_evaluations": DESIGNS}
     study = study.changed(name="pair", method=method, recordings="none")
+    ratios: dict[str, list[float]] = {who: [] for who in COMMANDS}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         study.save(folder / "study.json")
-        ratios = []
         for _ in range(int(rounds)):
-            one, two = timed(folder, 1), timed(folder, 2)
-            ratios.append(one / two)
-            print(f"{one:.3f} s a design with one worker, {two:.3f} s with two: {ratios[-1]:.2f}", flush=True)
-    print(f"median {statistics.median(ratios):.2f} on {len(os.sched_getaffinity(0))} cores")
+            for who in COMMANDS:
+                (one, used_one), (two, used_two) = timed(folder, who, 1), timed(folder, who, 2)
+                ratios[who].append(one / two)
+                print(
+                    f"{who}: {one:.3f} s a design with one, {two:.3f} s with two: {ratios[who][-1]:.2f}; "
+                    f"processor {used_one:.3f} and {used_two:.3f} s",
+                    flush=True,
+                )
+    workers, program = (statistics.median(ratios[who]) for who in ("workers", "program"))
+    print(
+        f"medians: workers {workers:.2f}, program {program:.2f} on {len(os.sched_getaffinity(0))} cores; "
+        f"load of the machine {os.getloadavg()[0]:.1f}"
+    )
 
 
 if __name__ == "__main__":

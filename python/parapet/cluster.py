@@ -7,6 +7,7 @@ it is given tasks, and whatever it loses is given again.
 from __future__ import annotations
 
 import collections
+import functools
 import itertools
 import queue
 import time
@@ -25,6 +26,21 @@ Task = Callable[[str], bytes]
 
 LOST = (OSError, CommClosedError, TimeoutError, CancelledError)
 """What a connection that goes away raises; TimeoutError of asyncio is the built-in one from 3.11 on."""
+
+
+AT_ONCE = 32
+"""Outcomes that are fetched together at most."""
+
+MANY_THREADS = 16
+"""From so many threads of workers on, some tasks wait at the scheduler."""
+
+
+def places_for(threads: int) -> int:
+    """Simulations under way for workers of so many threads: a quarter more where they are many.
+
+    A worker then finds its next task there, whatever the asker is doing meanwhile.
+    """
+    return threads if threads < MANY_THREADS else threads + threads // 4
 
 
 class ClusterLost(RuntimeError):
@@ -206,11 +222,15 @@ class DaskService:
         self._look()
         if self._ready:
             return self._ready.popleft()
+        ended: list[tuple[str, int]] = []
         try:
-            key, attempt = self._ended.get(timeout=timeout_s) if timeout_s > 0 else self._ended.get_nowait()
+            ended.append(self._ended.get(timeout=timeout_s) if timeout_s > 0 else self._ended.get_nowait())
+            while len(ended) < AT_ONCE:
+                ended.append(self._ended.get_nowait())
         except queue.Empty:
-            return None
-        self._take(key, attempt)
+            pass
+        if ended:
+            self._take(ended)
         return self._ready.popleft() if self._ready else None
 
     def cancel(self) -> None:
@@ -233,7 +253,7 @@ class DaskService:
         for key, open_task in self._open.items():
             if not connected:
                 open_task.future, open_task.allowed = None, frozenset()
-            elif not open_task.allowed & there:  # none of those that were allowed is left
+            elif open_task.allowed.isdisjoint(there):  # none of those that were allowed is left
                 self._hand_in(key)
 
     def _hand_in(self, key: str) -> None:
@@ -268,19 +288,45 @@ class DaskService:
         except Exception:  # the cluster has gone
             pass
 
-    def _take(self, key: str, attempt: int) -> None:
-        open_task = self._open.get(key)
-        if open_task is None or open_task.attempt != attempt or open_task.future is None:
-            return  # of an attempt that was given up
+    def _take(self, ended: list[tuple[str, int]]) -> None:
+        """Fetches the outcomes of tasks that have ended, all by one message."""
+        done: dict[str, Future] = {}
+        for key, attempt in ended:
+            open_task = self._open.get(key)
+            if open_task is None or open_task.attempt != attempt or open_task.future is None:
+                continue  # of an attempt that was given up
+            if open_task.future.status == "finished":
+                done[key] = open_task.future
+            else:
+                self._take_failed(key, open_task.future)
+        if not done:
+            return
+        client = self._cluster.client
+        fetched: dict[str, bytes] = {}
         try:
-            outcome = zlib.decompress(open_task.future.result(timeout=20)).decode()
+            if client is not None:  # those whose worker goes away meanwhile are left out
+                gather = functools.partial(client.gather, done, errors="skip", asynchronous=True)
+                fetched = client.sync(gather, callback_timeout=20)
+        except LOST:
+            pass
+        for key in done:
+            if key in fetched:
+                outcome = zlib.decompress(fetched[key]).decode()
+                self._answer(key, *((ticket, outcome) for ticket in self._open[key].tickets))
+            else:
+                self._hand_in(key)
+
+    def _take_failed(self, key: str, future: Future) -> None:
+        try:
+            future.result(timeout=20)
         except (KilledWorker, *LOST):
             self._hand_in(key)
-            return
         except Exception as error:  # the task's own: it would fail again
             why = f"{type(error).__name__}: {error}"
-            self._ready.extend((ticket, None, why) for ticket in open_task.tickets)
+            self._answer(key, *((ticket, None, why) for ticket in self._open[key].tickets))
         else:
-            self._ready.extend((ticket, outcome) for ticket in open_task.tickets)
+            self._hand_in(key)
+
+    def _answer(self, key: str, *answers: tuple[Any, ...]) -> None:
+        self._ready.extend(answers)
         del self._open[key]
-        open_task.future = None

@@ -145,10 +145,21 @@ void EvaluationLog::append_line(const std::string& line, bool durable) {
 }
 
 void EvaluationLog::append(const EvaluationRecord& record) {
-  append_line(log_line(record), true);
-  by_design_.emplace(std::pair(record.design, record.spacing), records_.size());
-  by_id_.emplace(record.id, records_.size());
-  records_.push_back(record);
+  append(std::vector<EvaluationRecord>{record});
+}
+
+void EvaluationLog::append(const std::vector<EvaluationRecord>& records) {
+  if (records.empty()) return;
+  std::string lines;
+  for (const EvaluationRecord& record : records) {
+    lines += (lines.empty() ? "" : "\n") + log_line(record);
+  }
+  append_line(lines, true);
+  for (const EvaluationRecord& record : records) {
+    by_design_.emplace(std::pair(record.design, record.spacing), records_.size());
+    by_id_.emplace(record.id, records_.size());
+    records_.push_back(record);
+  }
 }
 
 void EvaluationLog::append(RefusedDesign refused) {

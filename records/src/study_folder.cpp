@@ -245,11 +245,17 @@ void StudyFolder::begin(const BegunWith& with) {
 }
 
 void StudyFolder::store(const EvaluationRecord& record, const Json& report) {
-  if (!report.is_null()) {
-    write_file_atomically(folder_ / "evaluations" / (record.id + ".json"),
-                          json_text(evaluation_report(record, report)));
-  }
+  if (!report.is_null()) store_report(record, report);
   log_.append(record);
+}
+
+void StudyFolder::store_report(const EvaluationRecord& record, const Json& report) const {
+  write_file_atomically(folder_ / "evaluations" / (record.id + ".json"),
+                        json_text(evaluation_report(record, report)));
+}
+
+void StudyFolder::store(const std::vector<EvaluationRecord>& records) {
+  log_.append(records);
 }
 
 void StudyFolder::store(RefusedDesign refused) {

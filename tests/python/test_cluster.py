@@ -96,6 +96,14 @@ class TaskProcesses(unittest.TestCase):
 
 
 @unittest.skipIf(distributed is None, "python3-distributed is not installed")
+class Places(unittest.TestCase):
+    def test_few_workers_get_as_many_simulations_and_many_a_quarter_more(self) -> None:
+        from parapet.cluster import places_for
+
+        self.assertEqual([places_for(n) for n in (1, 4, 15, 16, 200)], [1, 4, 15, 20, 250])
+
+
+@unittest.skipIf(distributed is None, "python3-distributed is not installed")
 class OnThisMachine(tiny.InFolder):
     """Without --scheduler."""
 

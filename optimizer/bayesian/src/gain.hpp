@@ -129,6 +129,7 @@ class Gain {
   void make_front();
   bool limits_met(std::size_t design, int sample) const;
   double exact(std::size_t metric, const Point& x) const;
+  void note_exact();
   Composed composed(std::size_t metric, const Prepared& prepared, const Given& given,
                     Eigen::Index k, std::size_t level, int draws) const;
   double composed_draw(std::size_t metric, std::size_t design, int sample) const;
@@ -144,6 +145,7 @@ class Gain {
   std::vector<LimitView> limits_;
   std::vector<Point> designs_;                                         // [p]
   std::vector<std::vector<std::optional<double>>> observed_;           // [p]; empty: pending
+  std::vector<std::vector<double>> exact_;                             // [p] of [n_metrics]
   std::vector<std::unique_ptr<surrogate::PosteriorSamples>> samples_;  // [n_metrics]
   std::vector<Eigen::VectorXd> normals_;  // [n_metrics] of [n_samples]; of inputs of composed ones
   std::optional<acquisition::NoisyFront> front_;

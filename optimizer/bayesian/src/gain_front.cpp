@@ -10,8 +10,9 @@
 namespace parapet::bayesian {
 namespace {
 
-/// What one ask costs grows with these.
-constexpr std::size_t most_front_designs = 40, most_pending_designs = 64;
+/// What one ask costs grows with these. Of more pending designs some places are left for those that
+/// are asked for before the next answer.
+constexpr std::size_t most_front_designs = 40, most_pending_designs = 64, places_left = 16;
 
 }  // namespace
 
@@ -82,9 +83,11 @@ void Gain::choose_front_designs(const Input& input) {
     designs_.push_back(designs[k]->x);
     observed_.push_back(designs[k]->values);
   }
+  const bool too_many = input.pending.size() > most_pending_designs;
+  const std::size_t newest = too_many ? most_pending_designs - places_left : most_pending_designs;
   for (std::size_t k = 0; k < input.pending.size(); ++k) {
     // The newest ones; of the others only that they are not asked for again matters.
-    if (k + most_pending_designs < input.pending.size()) continue;
+    if (k + newest < input.pending.size()) continue;
     if (in_draws(input.pending[k].x)) continue;
     designs_.push_back(input.pending[k].x);
     observed_.emplace_back();
@@ -123,7 +126,7 @@ double Gain::objective_draw(const ObjectiveView& view, std::size_t design, int s
   if (problem_.metrics[view.metric].is_composed()) {
     return view.of_composed(composed_draw(view.metric, design, sample));
   }
-  return view.to_view(exact(view.metric, designs_[design]));
+  return view.to_view(exact_[design][view.metric]);
 }
 
 bool Gain::limits_met(std::size_t design, int sample) const {
@@ -136,7 +139,7 @@ bool Gain::limits_met(std::size_t design, int sample) const {
     } else if (samples(limit.metric) != nullptr) {
       value = samples(limit.metric)->values()(sample, as_index(design));
     } else if (problem_.metrics[limit.metric].exact) {
-      value = exact(limit.metric, designs_[design]);
+      value = exact_[design][limit.metric];
     } else {
       return limit.satisfied_when_absent;  // never had a value so far
     }
@@ -158,7 +161,18 @@ void Gain::draw(std::uint64_t seed) {
   make_front();
 }
 
+/// Exact metrics of the designs: the same in each draw.
+void Gain::note_exact() {
+  for (std::size_t k = exact_.size(); k < designs_.size(); ++k) {
+    auto& values = exact_.emplace_back(problem_.metrics.size(), 0.0);
+    for (std::size_t metric = 0; metric < values.size(); ++metric) {
+      if (problem_.metrics[metric].exact) values[metric] = exact(metric, designs_[k]);
+    }
+  }
+}
+
 void Gain::make_front() {
+  note_exact();
   mean_hypervolume_ = 0.0;
   std::vector<Eigen::MatrixXd> objectives;
   std::vector<Eigen::VectorXi> feasible;

@@ -163,6 +163,11 @@ std::optional<double> formula_value(const designs::StudySpec& study, const std::
   return std::nullopt;
 }
 
+std::vector<double> limit_violations(const Constraint& constraint, std::optional<double> value) {
+  return LimitedValue{value, constraint.lower, constraint.upper, constraint.scale, false}
+      .violations();
+}
+
 std::string objective_name(const designs::Objective& objective) {
   if (!objective.name.empty()) return objective.name;
   return objective.metric.empty() ? objective.expression : objective.metric;

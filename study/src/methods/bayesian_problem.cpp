@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "design_formulas.hpp"
 #include "parapet/solver/metric_catalog.hpp"
 #include "parapet/study/knee.hpp"
 #include "parapet/study/problem.hpp"
@@ -64,8 +65,10 @@ void set_bounds(const Quantity& quantity, bayesian::Metric& metric) {
   }
 }
 
-const std::string& formula_of(const designs::Objective& objective) {
-  return objective.formula.empty() ? objective.expression : objective.formula;
+/// Of an objective or constraint.
+template <typename Goal>
+const std::string& formula_of(const Goal& goal) {
+  return goal.formula.empty() ? goal.expression : goal.formula;
 }
 
 /// Of several events their names; of one an empty one, which stands for it.
@@ -139,10 +142,10 @@ class MetricList {
   std::size_t of_design(const designs::Objective& objective) {
     bayesian::Metric metric;
     metric.name = objective_name(objective);
-    metric.exact = [&study = study_, space = result_.problem.space,
-                    expression = formula_of(objective)](const bayesian::Point& x) {
-      return formula_value(study, expression, to_design(study, space, x))
-          .value_or(std::numeric_limits<double>::quiet_NaN());
+    const auto formula =
+        std::make_shared<DesignFormula>(study_, result_.problem.space, formula_of(objective));
+    metric.exact = [formula](const bayesian::Point& x) {
+      return formula->value(x).value_or(std::numeric_limits<double>::quiet_NaN());
     };
     SearchMetric& added = result_.metrics.emplace_back();
     added.expression = formula_of(objective);
@@ -233,13 +236,27 @@ void add_cheap_constraints(const designs::StudySpec& study, SearchProblem& resul
       std::any_of(study.objectives.begin(), study.objectives.end(),
                   [](const designs::Objective& objective) { return objective.is_of_design(); });
   if (expression_limit_count(study) == 0 && !any_formula) return;
-  result.problem.cheap_constraints = [&study,
-                                      space = result.problem.space](const bayesian::Point& x) {
-    const designs::Design design = to_design(study, space, x);
-    std::vector<double> g = expression_violations(study, design);
-    for (const designs::Objective& objective : study.objectives) {
-      if (!objective.is_of_design()) continue;
-      g.push_back(formula_value(study, formula_of(objective), design) ? -1.0 : 1.0);
+  struct Formulas {
+    std::vector<std::pair<designs::Constraint, DesignFormula>> limits;
+    std::vector<DesignFormula> objectives;
+  };
+  const auto formulas = std::make_shared<Formulas>();
+  const bayesian::Space& space = result.problem.space;
+  for (const designs::Constraint& constraint : study.constraints) {
+    if (!constraint.is_of_design()) continue;
+    formulas->limits.emplace_back(constraint, DesignFormula(study, space, formula_of(constraint)));
+  }
+  for (const designs::Objective& objective : study.objectives) {
+    if (!objective.is_of_design()) continue;
+    formulas->objectives.emplace_back(study, space, formula_of(objective));
+  }
+  result.problem.cheap_constraints = [formulas](const bayesian::Point& x) {
+    std::vector<double> g;
+    for (auto& [constraint, formula] : formulas->limits) {
+      for (const double one : limit_violations(constraint, formula.value(x))) g.push_back(one);
+    }
+    for (DesignFormula& formula : formulas->objectives) {
+      g.push_back(formula.value(x) ? -1.0 : 1.0);
     }
     return g;
   };

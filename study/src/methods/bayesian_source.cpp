@@ -68,7 +68,10 @@ bool BayesianSource::tell_next() {
 }
 
 bool BayesianSource::told_enough() {
-  if (questions_.size() + 1 > lag_) needed_ = std::max(needed_, questions_.size() + 1 - lag_);
+  if (questions_.size() + 1 > lag_) {
+    const std::size_t block = answers_at_once(lag_);
+    needed_ = std::max(needed_, (questions_.size() + 1 - lag_) / block * block);
+  }
   while (told_ < needed_) {
     if (!tell_next()) return false;
   }
@@ -176,6 +179,11 @@ std::size_t open_questions(int jobs, std::size_t events) {
   const auto others = static_cast<std::size_t>(jobs - 1);
   constexpr std::size_t own = 1, spare = 1;
   return own + (others + events - 1) / std::max<std::size_t>(1, events) + spare;
+}
+
+std::size_t answers_at_once(std::size_t lag) {
+  constexpr std::size_t share = 16, most = 16;
+  return std::clamp<std::size_t>(lag / share, 1, most);
 }
 
 }  // namespace parapet::study

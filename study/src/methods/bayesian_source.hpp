@@ -19,7 +19,8 @@ enum class AnswerOrder {
   /// completed, then the search is asked.
   as_they_come,
   /// In the order of the questions: question k is put when exactly the answers to the questions
-  /// 0 .. k - lag are known. The same questions follow, however fast each simulation is, and an
+  /// 0 .. k - lag are known, in whole blocks of answers_at_once(lag). The same questions follow,
+  /// however fast each simulation is, and an
   /// interrupted study is resumed by putting them again. Records of other origin are told before
   /// the first question whose answer stands after them in the log, which must have the order of the
   /// questions.
@@ -30,7 +31,7 @@ enum class AnswerOrder {
 class BayesianSource : public DesignSource {
  public:
   /// All must outlive the source.
-  /// @param lag questions that may be open at once, >= 1; see AnswerOrder
+  /// @param lag questions that may be open at once, but for blocks, >= 1; see AnswerOrder
   BayesianSource(const StudyContext& context, const SearchProblem& problem,
                  bayesian::Search& search, AnswerOrder order, std::size_t lag);
 
@@ -76,5 +77,10 @@ class BayesianSource : public DesignSource {
 /// many events each: enough to keep every worker busy, and with several jobs one more, so that they
 /// wait less for the slowest.
 std::size_t open_questions(int jobs, std::size_t events);
+
+/// Answers that are told together where many questions are open: the surrogates then change once
+/// for as many questions. Of so many open ones a block is a sixteenth, so the search hardly knows
+/// less. 1 up to 31 open questions.
+std::size_t answers_at_once(std::size_t lag);
 
 }  // namespace parapet::study

@@ -30,6 +30,9 @@ class DesignSource {
   /// round share the places of the service: where there are fewer, each takes several threads.
   virtual bool proposes_in_rounds() const { return false; }
 
+  /// Whether next() answers at once, so that it may be asked before what has ended is on disk.
+  virtual bool is_quick() const { return false; }
+
   /// The record of the proposal of this number, counted from 0 in the order of next().
   virtual void answered(std::size_t number, const records::EvaluationRecord& record) = 0;
 };

@@ -12,6 +12,7 @@ class ExperimentSource : public DesignSource {
   ExperimentSource(const designs::StudySpec& study, Experiments experiments);
 
   std::vector<Proposal> next() override;
+  bool is_quick() const override { return true; }
   void answered(std::size_t, const records::EvaluationRecord&) override {}
 
  private:

@@ -29,6 +29,7 @@ std::optional<EvaluationRecord> best_of(const designs::StudySpec& study,
 }
 
 constexpr std::size_t write_interval = 10;  // records
+constexpr std::chrono::milliseconds least_between_summaries{250};
 
 }  // namespace
 
@@ -57,7 +58,12 @@ bool OutputWriter::due() const {
 
 void OutputWriter::record_added() {
   const Front now = front(false);
-  folder_.write("summary.json", to_json(complete({}, now), study_));
+  // Answers of many workers come faster than anybody reads.
+  const Clock::time_point time = Clock::now();
+  if (time - summary_at_ >= least_between_summaries) {
+    folder_.write("summary.json", to_json(complete({}, now), study_));
+    summary_at_ = Clock::now();
+  }
   if (hooks_.on_front) hooks_.on_front(static_cast<int>(now.designs.size()), now.hypervolume);
   if (search_ == nullptr && due()) write_outputs(front(true));
 }

@@ -25,7 +25,8 @@ class OutputWriter {
   /// The search is gone.
   void detach();
 
-  /// A record was added to the log: summary.json, and without a search every tenth time the rest.
+  /// A record was added to the log: summary.json, at most four times a second, and without a search
+  /// every tenth time the rest.
   void record_added();
 
   /// The search was told of an answer: every tenth record pareto.json and surrogates.json.
@@ -49,6 +50,7 @@ class OutputWriter {
   std::set<std::string> warned_;   // sentences said already, without their numbers
   std::size_t at_begin_;
   std::size_t written_at_ = 0;  // records when the outputs were written last
+  std::chrono::steady_clock::time_point summary_at_{};  // when the summary was
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

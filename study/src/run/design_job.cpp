@@ -55,13 +55,20 @@ void DesignJob::end(std::size_t event, records::Simulation simulation) {
 
 void DesignJob::keep(std::size_t event, records::Simulation simulation) {
   run_.set(event, std::move(simulation));
-  // Also what was known is written: the design may have another id now.
-  if (const designs::Scenario* scenario = run_.scenario(event)) {
-    context_.folder.store_simulation(id_, run_.design(), run_.spacing(), *scenario,
-                                     run_.simulation(event).value(),
-                                     records::study_provenance(context_.study, context_.program));
-  }
   --open_;
+}
+
+/// Also what was known is written: the design may have another id now.
+void DesignJob::write_event(std::size_t event) const {
+  const designs::Scenario* scenario = run_.scenario(event);
+  if (scenario == nullptr || !run_.simulation(event)) return;
+  context_.folder.store_simulation(id_, run_.design(), run_.spacing(), *scenario,
+                                   run_.simulation(event).value(),
+                                   records::study_provenance(context_.study, context_.program));
+}
+
+void DesignJob::lose(std::size_t event) {
+  if (run_.simulation(event)) ++open_;
 }
 
 void DesignJob::wait_on_disk() {
@@ -72,14 +79,22 @@ void DesignJob::wait_on_disk() {
   waits_ = true;
 }
 
-records::EvaluationRecord DesignJob::store() const {
-  records::EvaluationRecord record = run_.record();
-  record.id = id_;
-  record.stage = stage_;
-  records::set_program(record, context_.program);
-  context_.folder.store(record, run_.report(context_.program));
+const records::EvaluationRecord& DesignJob::record() {
+  if (!record_) {
+    record_ = run_.record();
+    record_->id = id_;
+    record_->stage = stage_;
+    records::set_program(*record_, context_.program);
+  }
+  return *record_;
+}
+
+void DesignJob::write_report() {
+  context_.folder.store_report(record(), run_.report(context_.program));
+}
+
+void DesignJob::logged() const {
   if (run_.scenario(0) == nullptr) context_.folder.discard_simulation(id_);
-  return record;
 }
 
 }  // namespace parapet::study

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "parapet/study/side_by_side.hpp"
 #include "parapet/study/thread_count.hpp"
 
 namespace parapet::study {
@@ -27,20 +28,38 @@ bool EvaluationPool::stopped() const {
   return ended_ || failure_ || cancelled_ || context_.cancelled();
 }
 
+bool EvaluationPool::place_free() const {
+  return under_way_.size() < static_cast<std::size_t>(context_.service.places());
+}
+
 /// False when nothing is under way and nothing more will be.
 bool EvaluationPool::step() {
-  // What has ended goes to disk before the source is asked, which may take its time.
-  if (!under_way_.empty()) {
-    if (auto ended = context_.service.poll()) {
-      settle(*std::move(ended));
-      return true;
-    }
+  // What has ended goes to disk before a source is asked that may take its time; what waits in the
+  // queue, or comes at once, takes its place first.
+  if (std::vector<Event> ended = fetch_ended(); !ended.empty()) {
+    begin_at_once();
+    store(std::move(ended));
+    return true;
   }
-  const auto places = static_cast<std::size_t>(context_.service.places());
-  if (under_way_.size() < places && begin_next()) return true;
+  if (place_free() && begin_next()) {
+    store({});
+    return true;
+  }
   if (under_way_.empty()) return false;
-  settle(context_.service.wait());
+  const Event ended = settle(context_.service.wait());
+  begin_at_once();
+  store({ended});
   return true;
+}
+
+/// What needs no thought.
+void EvaluationPool::begin_at_once() {
+  try {
+    while (place_free() && (!queue_.empty() || source_.is_quick()) && begin_next()) {
+    }
+  } catch (...) {  // what has ended is to be stored all the same
+    if (!failure_) failure_ = std::current_exception();
+  }
 }
 
 /// False when there is nothing to begin at the moment, or ever.
@@ -57,7 +76,7 @@ bool EvaluationPool::begin_next() {
   if (auto task = flight->job->begin(event, flight->threads)) {
     under_way_.emplace(context_.service.submit(*std::move(task)), next);
   } else {
-    complete(flight);
+    ended_at_once_.push_back(next);
   }
   return true;
 }
@@ -148,35 +167,117 @@ std::shared_ptr<EvaluationPool::Flight> EvaluationPool::flight_for(std::size_t n
   return flight;
 }
 
-void EvaluationPool::settle(EndedSimulation ended) {
+/// Simulations that have ended by now; not those after one that went wrong.
+std::vector<EvaluationPool::Event> EvaluationPool::fetch_ended() {
+  constexpr std::size_t most = 64;  // so that the source is asked between
+  std::vector<Event> ended;
+  while (!under_way_.empty() && ended.size() < most) {
+    auto one = context_.service.poll();
+    if (!one) break;
+    try {
+      ended.push_back(settle(*std::move(one)));
+    } catch (...) {
+      if (!failure_) failure_ = std::current_exception();
+      break;
+    }
+  }
+  return ended;
+}
+
+EvaluationPool::Event EvaluationPool::settle(EndedSimulation ended) {
   const auto found = under_way_.find(ended.ticket);
-  const auto [flight, event] = found->second;
+  const Event event = found->second;
   under_way_.erase(found);
   if (ended.failure) std::rethrow_exception(ended.failure);
   if (ended.simulation.cancelled) cancelled_ = true;
-  flight->job->end(event, std::move(ended.simulation));
-  complete(flight);
+  event.first->job->end(event.second, std::move(ended.simulation));
+  return event;
 }
 
-/// Stores and answers a design whose events have all ended.
-void EvaluationPool::complete(const std::shared_ptr<Flight>& flight) {
-  if (!flight->job->complete()) return;
-  if (!context_.study.method.repeatable) {
-    log(flight);
-    return;
+/// Runs all, the files of several side by side: a disk takes many as fast as one.
+/// @return [n] what went wrong
+std::vector<std::exception_ptr> EvaluationPool::write(
+    const std::vector<std::function<void()>>& writes) {
+  constexpr int most_writers = 16;
+  std::vector<std::exception_ptr> failures(writes.size());
+  run_side_by_side(writes.size(), most_writers, [&](std::size_t k, int /*threads*/) {
+    try {
+      writes[k]();
+    } catch (...) {
+      failures[k] = std::current_exception();
+    }
+  });
+  return failures;
+}
+
+/// These, and what ended without a simulation.
+void EvaluationPool::store(std::vector<Event> ended) {
+  ended.insert(ended.end(), ended_at_once_.begin(), ended_at_once_.end());
+  ended_at_once_.clear();
+  std::vector<std::function<void()>> writes;
+  for (const auto& [flight, event] : ended) {
+    writes.emplace_back([job = flight->job.get(), k = event] { job->write_event(k); });
   }
-  if (flights_.front() != flight) flight->job->wait_on_disk();
-  while (!flights_.empty() && flights_.front()->job->complete()) {
-    const std::shared_ptr<Flight> first = flights_.front();
-    log(first);
+  const std::vector<std::exception_ptr> failures = write(writes);
+  for (std::size_t k = 0; k < ended.size(); ++k) {
+    if (!failures[k]) continue;
+    ended[k].first->job->lose(ended[k].second);
+    if (!failure_) failure_ = failures[k];
+  }
+  std::vector<std::shared_ptr<Flight>> complete_ones;
+  for (const auto& [flight, event] : ended) {
+    const bool known =
+        std::find(complete_ones.begin(), complete_ones.end(), flight) != complete_ones.end();
+    if (!known && flight->job->complete()) complete_ones.push_back(flight);
+  }
+  complete(complete_ones);
+}
+
+/// Stores and answers designs whose events have all ended; of a repeatable study those that are at
+/// the head of the order, while the others wait on disk.
+void EvaluationPool::complete(const std::vector<std::shared_ptr<Flight>>& complete_ones) {
+  std::vector<std::shared_ptr<Flight>> ready;
+  if (context_.study.method.repeatable) {
+    for (const auto& flight : flights_) {
+      if (!flight->job->complete()) break;
+      ready.push_back(flight);
+    }
+  } else {
+    for (const auto& flight : complete_ones) {
+      if (flight->job->complete()) ready.push_back(flight);
+    }
+  }
+  std::vector<std::function<void()>> writes;
+  for (const auto& flight : ready) {
+    writes.emplace_back([job = flight->job.get()] { job->write_report(); });
+  }
+  for (const auto& flight : complete_ones) {
+    const bool waits =
+        flight->job->complete() && std::find(ready.begin(), ready.end(), flight) == ready.end();
+    if (waits) writes.emplace_back([job = flight->job.get()] { job->wait_on_disk(); });
+  }
+  const std::vector<std::exception_ptr> failures = write(writes);
+  std::vector<std::shared_ptr<Flight>> written;
+  for (std::size_t k = 0; k < ready.size(); ++k) {
+    std::erase(flights_, ready[k]);
+    if (!failures[k]) written.push_back(ready[k]);
+  }
+  log(written);
+  for (const auto& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
   }
 }
 
-void EvaluationPool::log(const std::shared_ptr<Flight>& flight) {
-  std::erase(flights_, flight);
-  const records::EvaluationRecord record = flight->job->store();
-  if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(record, false);
-  for (const std::size_t number : flight->numbers) answer(number, record);
+/// Records of designs whose reports are written, by one sync; then their answers.
+void EvaluationPool::log(const std::vector<std::shared_ptr<Flight>>& flights) {
+  std::vector<records::EvaluationRecord> records;
+  for (const auto& flight : flights) records.push_back(flight->job->record());
+  context_.folder.store(records);
+  for (std::size_t k = 0; k < flights.size(); ++k) {
+    flights[k]->job->logged();
+    if (context_.hooks.on_evaluated) context_.hooks.on_evaluated(records[k], false);
+    for (const std::size_t number : flights[k]->numbers) answer(number, records[k]);
+  }
 }
 
 void EvaluationPool::answer(std::size_t number, const records::EvaluationRecord& record) {

@@ -63,14 +63,19 @@ class EvaluationPool {
 
   bool step();
   bool stopped() const;
+  bool place_free() const;
   bool begin_next();
+  void begin_at_once();
   bool limit_reached();
   void launch(const std::vector<Proposal>& proposals);
   std::shared_ptr<Flight> flight_for(std::size_t number, const Proposal& proposal);
   std::string id_for(std::size_t number, const Proposal& proposal);
-  void settle(EndedSimulation ended);
-  void complete(const std::shared_ptr<Flight>& flight);
-  void log(const std::shared_ptr<Flight>& flight);
+  std::vector<Event> fetch_ended();
+  Event settle(EndedSimulation ended);
+  static std::vector<std::exception_ptr> write(const std::vector<std::function<void()>>& writes);
+  void store(std::vector<Event> ended);
+  void complete(const std::vector<std::shared_ptr<Flight>>& complete_ones);
+  void log(const std::vector<std::shared_ptr<Flight>>& flights);
   void answer(std::size_t number, const records::EvaluationRecord& record);
 
   const StudyContext& context_;
@@ -81,6 +86,7 @@ class EvaluationPool {
 
   std::deque<Event> queue_;                 // not handed in yet
   std::map<std::size_t, Event> under_way_;  // by ticket
+  std::vector<Event> ended_at_once_;        // known from before, or impossible; to be stored
   std::vector<std::shared_ptr<Flight>> flights_;
   std::set<std::string> ids_given_;
   std::size_t proposals_ = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fake_study.hpp"
+#include "parapet/study/scoring.hpp"
 
 namespace parapet::test {
 namespace {
@@ -30,6 +31,31 @@ TEST(StudyAsSearchProblem, SharesMetricsBetweenGoalsAndKeepsFormulasExact) {
   ASSERT_EQ(problem.problem.cheap_constraints({60.0, 0.1}).size(), 2U);
   EXPECT_NEAR(problem.problem.cheap_constraints({60.0, 0.1})[0], (2.0 - 1.7) / 1.7, 1e-12);
   EXPECT_LT(problem.problem.cheap_constraints({60.0, 0.1})[1], 0.0) << "the formula is finite";
+}
+
+// The search evaluates formulas that were made ready once; the log states those of formula_value().
+TEST(StudyAsSearchProblem, FormulasHaveTheValuesThatTheLogStates) {
+  Json json = fake_study();
+  json["objectives"].push_back(Json::parse(
+      R"({"name": "inverse", "expression": "1 / (deflector_angle_deg - 30) + upstream_height_m", "goal": "minimize"})"));
+  const auto study = parsed(json);
+  const auto problem = study::make_search_problem(study);
+  const auto& inverse = problem.problem.metrics[problem.problem.objectives.back().metric];
+  const std::string formula = study.objectives.back().formula;
+  for (const double angle : {0.0, 12.5, 30.0, 59.9}) {
+    const bayesian::Point x{angle, 0.07};
+    const auto design = study::to_design(study, problem.problem.space, x);
+    const auto value = study::formula_value(study, formula, design);
+    EXPECT_EQ(value.has_value(), angle != 30.0);
+    if (value) {
+      EXPECT_EQ(inverse.exact(x), *value);
+    } else {
+      EXPECT_TRUE(std::isnan(inverse.exact(x)));
+    }
+    std::vector<double> g = study::expression_violations(study, design);
+    g.push_back(value ? -1.0 : 1.0);
+    EXPECT_EQ(problem.problem.cheap_constraints(x), g);
+  }
 }
 
 TEST(StudyAsSearchProblem, WorstCaseWithTwoLimitsIsTwoQuantities) {

@@ -100,6 +100,24 @@ TEST_F(SearchLoop, LogHasTheOrderOfTheProposalsForEverySearch) {
   }
 }
 
+// With many open questions answers are told in blocks (of three with 50 jobs), so that the
+// surrogates change less often; which answers a question knows still hangs on nothing else.
+TEST_F(SearchLoop, ManyJobsAreRepeatableToo) {
+  Json json = fake_study();
+  json["method"]["max_evaluations"] = 80;
+  const auto study = parsed(json);
+  constexpr int jobs = 50;
+  run(study, "calm", FakeSimulator(), jobs);
+  EXPECT_EQ(records("calm").size(), 80U);
+  const FakeSimulator disturbed({.delays = true, .fails = {}, .cancel_after = 65});
+  run(study, "stopped", disturbed, jobs);
+  const FakeSimulator again({.delays = true, .fails = {}, .cancel_after = -1});
+  run(study, "stopped", again, 3);
+  EXPECT_EQ(repetitions(disturbed, again), 0);
+  EXPECT_EQ(file_text(folder / "stopped/evaluations.jsonl"),
+            file_text(folder / "calm/evaluations.jsonl"));
+}
+
 // A budget that the clock does not touch: the same designs, stopped and resumed or not.
 TEST_F(SearchLoop, BudgetOfFinestRunsEndsEverySearch) {
   for (const char* algorithm : {"BAYESIAN", "SOBOL", "COBYLA"}) {

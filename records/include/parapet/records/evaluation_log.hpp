@@ -169,6 +169,9 @@ class EvaluationLog {
   /// @throws FileError; the log is then cut back to what it was.
   void append(const EvaluationRecord& record);
 
+  /// The same for several, by one sync.
+  void append(const std::vector<EvaluationRecord>& records);
+
   /// Appends a refused design, unless it stands there already. Not synced before the next record:
   /// it costs nothing to find it again.
   /// @throws FileError

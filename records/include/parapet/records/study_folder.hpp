@@ -81,6 +81,15 @@ class StudyFolder {
   /// @throws FileError
   void store(const EvaluationRecord& record, const designs::Json& report);
 
+  /// Writes evaluations/ID.json alone, ahead of the log's line. May be called from several threads
+  /// at once.
+  /// @throws FileError
+  void store_report(const EvaluationRecord& record, const designs::Json& report) const;
+
+  /// Writes the log's lines of designs whose reports are there.
+  /// @throws FileError
+  void store(const std::vector<EvaluationRecord>& records);
+
   /// Writes a refused design into the log, unless it stands there; no more than
   /// most_refused_designs.
   /// @throws FileError

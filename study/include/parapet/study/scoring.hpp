@@ -47,6 +47,11 @@ Score score(const designs::StudySpec& study, const designs::Design& design,
 std::optional<double> formula_value(const designs::StudySpec& study, const std::string& expression,
                                     const designs::Design& design);
 
+/// Scaled violations of a constraint on the design alone, one per limit, lower before upper: those
+/// of expression_violations() with the expression's value given.
+std::vector<double> limit_violations(const designs::Constraint& constraint,
+                                     std::optional<double> value);
+
 /// What reports call an objective.
 std::string objective_name(const designs::Objective& objective);
 

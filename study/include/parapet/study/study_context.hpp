@@ -47,25 +47,37 @@ class DesignJob {
   /// The task of one event. Empty when nothing is to be simulated: an earlier run left the event's
   /// simulation, or the scene is impossible; the event has ended then.
   /// @param threads that the simulation may use
-  /// @throws records::FileError
   std::optional<SimulationTask> begin(std::size_t event, int threads);
 
-  /// One event has ended: its simulation is kept, and with scenarios written to disk. A cancelled
-  /// one leaves the event open.
-  /// @throws records::FileError
+  /// One event has ended: its simulation is kept, and with scenarios it must go to disk by
+  /// write_event(). A cancelled one leaves the event open.
   void end(std::size_t event, records::Simulation simulation);
+
+  /// Writes an event that has ended, with scenarios; for several at once from several threads.
+  /// @throws records::FileError
+  void write_event(std::size_t event) const;
+
+  /// An event that could not be written counts as open again.
+  void lose(std::size_t event);
 
   /// Whether every event has ended.
   bool complete() const { return open_ == 0; }
 
-  /// Keeps what has ended on disk until store(): nothing is lost in between. With scenarios it is
-  /// there already.
+  /// Keeps what has ended on disk until it is logged: nothing is lost in between. With scenarios it
+  /// is there already. Of several designs at once from several threads.
   /// @throws records::FileError
   void wait_on_disk();
 
-  /// Writes the record of a complete design into the log.
+  /// Writes the report of a complete design, which must be there before the log has its record. Of
+  /// several designs at once from several threads.
   /// @throws records::FileError
-  records::EvaluationRecord store() const;
+  void write_report();
+
+  /// What the log is to say of a complete design.
+  const records::EvaluationRecord& record();
+
+  /// The log has the record: what waited on disk is not needed any more.
+  void logged() const;
 
  private:
   std::string label(std::size_t event) const;
@@ -77,6 +89,7 @@ class DesignJob {
   DesignRun run_;
   std::size_t open_;  // events that have not ended
   bool waits_ = false;
+  std::optional<records::EvaluationRecord> record_;  // once it is complete
 };
 
 }  // namespace parapet::study
