@@ -93,6 +93,9 @@ void write_result(const Session& session, const designs::CaseSpec& spec,
   const designs::Json provenance =
       records::provenance_json(session.program, records::case_hash(spec), spec.numerics);
   records::write_file_atomically(folder / "series.csv", records::series_csv(result.series));
+  if (!result.loads.empty()) {
+    records::write_file_atomically(folder / "pressure.csv", records::load_profiles_csv(result));
+  }
   records::write_file_atomically(folder / "result.json",
                                  records::json_text(records::result_json(
                                      spec.name, result, spec.resolved, provenance, threads)));
@@ -134,7 +137,7 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   if (result.status == solver::Status::cancelled) return exit_code(session, result);
   write_result(session, spec, result, threads, folder);
   if (open) write_approach(session, spec, *open, &result, folder);
-  writing([&] { outputs->finish(session); });
+  writing([&] { outputs->finish(session, result); });
   write_report(session, folder);
   records::ChecksumList(folder).write();
   session.out->print("{}: {} steps in {}\n{}", spec.name, result.statistics.steps,
@@ -191,7 +194,8 @@ void add_simulate(CLI::App& app, Session& session) {
       ->check(CLI::Range(1e-6, 1e4))
       ->type_name("X");
   verb->add_flag("--picture", options->flow.picture,
-                 "Draw the flow at six moments into DIR/flow.png");
+                 "Draw the flow at six moments into DIR/flow.png, and the pressures of the design "
+                 "load into DIR/pressure.png");
   verb->add_option("--picture-times-s", options->flow.picture_times_s,
                    "Draw it at these times in seconds, for example 0.45,0.8,1.2")
       ->delimiter(',')
