@@ -410,8 +410,7 @@ void add_load_by_momentum(CaseRun& run) {
              .upper = 2.0,
              .reason = "vector, mean over 0.1 s: the gauge sums forces at wall points, the balance "
                        "momentum, flux and pair forces of the fluid; the tensile-instability "
-                       "control acts on one of a pair alone, and bed points beyond the planes "
-                       "reach what is between them"});
+                       "control acts on one of a pair alone"});
   }
 }
 

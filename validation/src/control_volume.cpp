@@ -7,9 +7,20 @@ namespace parapet::validation {
 
 using solver::Face;
 using solver::Flow;
+using solver::FlowConstants;
 using solver::FlowSetup;
 using solver::Fluid;
 using solver::Vec2;
+
+namespace {
+
+// F of grad W = F r [1/m4]; 0 beyond the kernel's reach.
+double gradient(const FlowConstants& constants, Vec2 r) {
+  const double t = 1.0 - 0.5 * norm(r) * constants.kernel.inverse_h;
+  return t > 0.0 && t < 1.0 ? -constants.kernel.f_scale * t * t * t : 0.0;
+}
+
+}  // namespace
 
 ControlPlanes planes_around(const solver::Scene& scene, double spacing, double clearance) {
   double from = 1e9, to = -1e9;
@@ -34,6 +45,14 @@ ControlVolume::ControlVolume(const Flow& flow, const ControlPlanes& planes)
     : planes_(planes), before_(static_cast<std::size_t>(flow.fluid().n)) {
   remember(flow);
   samples_.push_back({flow.time(), {}, {}});
+  const double reach = 2.0 * flow.smoothing_length();
+  const Face& bed = flow.solids().faces.front();
+  for (std::size_t k = 0; k < flow.walls().size(); ++k) {
+    const Face& face = flow.solids().faces[static_cast<std::size_t>(flow.walls().owner[k])];
+    const double x = flow.walls().x[k];
+    const double off = std::min(std::abs(x - planes_.from), std::abs(x - planes_.to));
+    if (face.body == bed.body && off < reach) bed_points_.push_back(k);
+  }
 }
 
 void ControlVolume::remember(const Flow& flow) {
@@ -47,8 +66,7 @@ void ControlVolume::remember(const Flow& flow) {
 
 // Places are those at which the step worked its forces out, pressures and viscosities those that it
 // used; velocities are those after it, as in the implicit viscous step.
-Vec2 ControlVolume::across(Flow& flow) const {
-  const solver::FlowConstants constants = flow.arrays().constants;
+Vec2 ControlVolume::of_particles(const Flow& flow, const FlowConstants& constants) const {
   const Fluid& f = flow.fluid();
   const double reach = 2.0 * flow.smoothing_length();
   const double levelling = -2.0 * constants.mass_diffusivity / constants.even_volume;
@@ -64,11 +82,8 @@ Vec2 ControlVolume::across(Flow& flow) const {
     for (const std::size_t j : out) {
       const Before& at_j = before_[static_cast<std::size_t>(f.id[j])];
       const Vec2 r{at_i.x - at_j.x, at_i.z - at_j.z};
-      const double q = norm(r) * constants.kernel.inverse_h;
-      if (q >= 2.0 || q == 0.0) continue;
-      const double t = 1.0 - 0.5 * q;
-      const double gradient = -constants.kernel.f_scale * t * t * t;  // F of grad W = F r [1/m4]
-      const double weight = f.volume[i] * f.volume[j] * gradient;
+      const double weight = f.volume[i] * f.volume[j] * gradient(constants, r);
+      if (weight == 0.0) continue;
       const Vec2 du{f.u[i] - f.u[j], f.w[i] - f.w[j]};
       const double pressure = -(f.pressure[j] + f.tic[i] * f.pressure[i]);
       const double viscous =
@@ -84,10 +99,42 @@ Vec2 ControlVolume::across(Flow& flow) const {
   return sum;
 }
 
+// A bed point acts through the face that the line of sight crosses; there is one of each face that
+// reaches so far.
+Vec2 ControlVolume::of_bed(const Flow& flow, const FlowConstants& constants) const {
+  const Fluid& f = flow.fluid();
+  const solver::WallPoints& walls = flow.walls();
+  const double reach = 2.0 * flow.smoothing_length(), lowest = 0.2 * flow.smoothing_length();
+  Vec2 sum;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.n); ++i) {
+    const Before& was = before_[static_cast<std::size_t>(f.id[i])];
+    const double off = std::min(std::abs(was.x - planes_.from), std::abs(was.x - planes_.to));
+    if (off > reach || was.z > reach || was.z <= 0.0) continue;
+    for (const std::size_t k : bed_points_) {
+      const Vec2 r{was.x - walls.x[k], was.z - walls.z[k]};
+      const double weight = f.volume[i] * walls.volume[k] * gradient(constants, r);
+      if (weight == 0.0) continue;
+      const bool through_inside = inside(was.x - r.x * was.z / r.z);
+      const Face& face = flow.solids().faces[static_cast<std::size_t>(walls.owner[k])];
+      if ((face.barrier == bed_cell) != through_inside || through_inside == was.inside) continue;
+      const double above = std::max(was.z, lowest);
+      const double ratio = (above + walls.depth[k]) / above;
+      const double pressure = -(walls.pressure[k] + std::max(0.0, f.tic[i] * f.pressure[i]));
+      const double viscous = constants.no_slip ? 8.0 * f.pair_viscosity[i] * ratio *
+                                                     dot({f.u[i], f.w[i]}, r) / dot(r, r)
+                                               : 0.0;
+      const Vec2 force = (weight * (pressure + viscous)) * r;
+      sum = was.inside ? sum + force : sum - force;
+    }
+  }
+  return sum;
+}
+
 void ControlVolume::add_step(Flow& flow) {
   const double dt = flow.last_time_step();
   const Fluid& f = flow.fluid();
   const auto impulses = flow.take_impulses();
+  const FlowConstants constants = flow.arrays().constants;
   // what the forces did to those that were inside when the step began
   Vec2 change;
   double mass = 0.0;
@@ -97,8 +144,8 @@ void ControlVolume::add_step(Flow& flow) {
     change = change + f.mass[i] * Vec2{f.u[i], f.w[i]} - was.momentum;
     mass += f.mass[i];
   }
-  const Vec2 balance =
-      (dt * mass) * flow.setup().gravity + dt * across(flow) - impulses[bed_cell].force - change;
+  const Vec2 balance = (dt * mass) * flow.setup().gravity + dt * of_particles(flow, constants) +
+                       dt * of_bed(flow, constants) - impulses[bed_cell].force - change;
   const Sample& last = samples_.back();
   samples_.push_back({flow.time(),
                       last.measured + impulses[stem_cell].force + impulses[deflector_cell].force,

@@ -28,8 +28,9 @@ void with_control_volume(solver::FlowSetup& setup, const ControlPlanes& planes);
 //   impulse on the barrier = gravity + flux through the planes + forces across the planes
 //                            - impulse on the bed - change of the momentum
 // The forces across the planes are those of particles outside on particles inside: pressure (Eq.
-// 6), viscosity (Monaghan and Gingold 1983), and the momentum that shifting exchanges; they are
-// summed here pair by pair, on their own.
+// 6), viscosity (Monaghan and Gingold 1983), and the momentum that shifting exchanges; and of the
+// bed beyond a plane on them, less what the bed inside does to particles outside. All are summed
+// here pair by pair, on their own.
 class ControlVolume {
  public:
   ControlVolume(const solver::Flow& flow, const ControlPlanes& planes);
@@ -59,10 +60,13 @@ class ControlVolume {
   };
   bool inside(double x) const { return x >= planes_.from && x < planes_.to; }
   void remember(const solver::Flow& flow);
-  solver::Vec2 across(solver::Flow& flow) const;  // force of those outside on those inside [N/m]
+  // Forces on those inside [N/m]: of the particles outside, and of the bed beyond the planes.
+  solver::Vec2 of_particles(const solver::Flow& flow, const solver::FlowConstants& constants) const;
+  solver::Vec2 of_bed(const solver::Flow& flow, const solver::FlowConstants& constants) const;
 
   ControlPlanes planes_;
-  std::vector<Before> before_;  // [n_released]
+  std::vector<Before> before_;           // [n_released]
+  std::vector<std::size_t> bed_points_;  // within reach of a plane
   std::vector<Sample> samples_;
 };
 
