@@ -5,6 +5,7 @@
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/output_folder.hpp"
 #include "parapet/reports/flow_picture.hpp"
+#include "parapet/reports/load_picture.hpp"
 
 namespace parapet::cli {
 namespace {
@@ -74,7 +75,7 @@ void FlowOutputs::offer(const solver::Frame& frame) {
   if (recording_ && record_clock_.wants(frame)) recording_->add(frame);
 }
 
-void FlowOutputs::finish(const Session& session) {
+void FlowOutputs::finish(const Session& session, const solver::Result& result) {
   if (writer_) {
     session.log->info("{} frames; open {} in ParaView", writer_->count(),
                       writer_->collection().string());
@@ -96,6 +97,9 @@ void FlowOutputs::finish(const Session& session) {
   picture.title = spec_.name;
   reports::draw_flow(file, spec_.scene, spec_.numerics.spacing, snapshots, picture);
   session.log->info("picture: {}", file.string());
+  if (!reports::acts_on_barriers(result)) return;
+  reports::draw_load_profiles(folder_ / "pressure.png", spec_.name, result);
+  session.log->info("picture: {}", (folder_ / "pressure.png").string());
 }
 
 }  // namespace parapet::cli

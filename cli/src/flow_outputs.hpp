@@ -46,8 +46,8 @@ class FlowOutputs {
   /// For Callbacks::on_frame.
   void offer(const solver::Frame& frame);
 
-  /// Writes the recording and draws the picture; says what was written.
-  void finish(const Session& session);
+  /// Writes the recording and draws the pictures; says what was written.
+  void finish(const Session& session, const solver::Result& result);
 
  private:
   /// Whether an output with these times wants a frame; the last state is wanted by all.

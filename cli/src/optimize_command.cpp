@@ -109,6 +109,7 @@ study::StudySummary run_with_progress(const Session& session, const OptimizeOpti
   run.mix_physics = options.mix_revisions;
   run.hooks = progress.hooks();
   run.service = session.service;
+  run.undisturbed = true;
   return study::run_study(study, run);
 }
 

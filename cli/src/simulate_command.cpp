@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "approach_run.hpp"
 #include "common_options.hpp"
 #include "duration_text.hpp"
 #include "flow_outputs.hpp"
@@ -33,6 +34,7 @@ struct SimulateOptions : CommonOptions {
   bool uncertainty = false;
   bool profile = false;
   bool all = false;
+  bool approach = false;
 };
 
 /// A file that cannot be written is not the program's fault: the same exit code as everywhere.
@@ -91,9 +93,22 @@ void write_result(const Session& session, const designs::CaseSpec& spec,
   const designs::Json provenance =
       records::provenance_json(session.program, records::case_hash(spec), spec.numerics);
   records::write_file_atomically(folder / "series.csv", records::series_csv(result.series));
+  if (!result.loads.empty()) {
+    records::write_file_atomically(folder / "pressure.csv", records::load_profiles_csv(result));
+  }
   records::write_file_atomically(folder / "result.json",
                                  records::json_text(records::result_json(
                                      spec.name, result, spec.resolved, provenance, threads)));
+}
+
+/// Of a run that did not end well, and left nothing.
+int exit_code(const Session& session, const solver::Result& result) {
+  if (result.status == solver::Status::cancelled) {
+    session.log->error("interrupted at {:.3f} s of flow; no result was written", result.stop_time);
+    return exit_interrupted;
+  }
+  session.log->error("the run without barriers failed: {}", result.reason);
+  return exit_failed;
 }
 
 int simulate_command(const Session& session, const SimulateOptions& options) {
@@ -106,18 +121,23 @@ int simulate_command(const Session& session, const SimulateOptions& options) {
   records::remove_earlier_simulation(folder);
   std::optional<FlowOutputs> outputs;
   writing([&] { outputs.emplace(options.flow, spec, folder); });
+  std::optional<solver::UndisturbedRun> open;
+  if (options.approach) {
+    require_barrier(spec, options.spec);
+    open = run_undisturbed(session, spec, options.threads.value_or(options.jobs));
+    if (open->result.status != solver::Status::ok) return exit_code(session, open->result);
+    designs::set_approach(spec, open->profile);
+  }
   const int threads = options.uncertainty
                           ? 1
                           : options.threads.value_or(study::worthwhile_threads(spec, options.jobs));
   const solver::Result result = options.uncertainty
                                     ? run_with_uncertainty(session, spec, options.jobs, *outputs)
                                     : run_solver(session, spec, threads, *outputs);
-  if (result.status == solver::Status::cancelled) {
-    session.log->error("interrupted at {:.3f} s of flow; no result was written", result.stop_time);
-    return exit_interrupted;
-  }
+  if (result.status == solver::Status::cancelled) return exit_code(session, result);
   write_result(session, spec, result, threads, folder);
-  writing([&] { outputs->finish(session); });
+  if (open) write_approach(session, spec, *open, &result, folder);
+  writing([&] { outputs->finish(session, result); });
   write_report(session, folder);
   records::ChecksumList(folder).write();
   const double seconds = result.statistics.wall_time;
@@ -157,6 +177,9 @@ void add_simulate(CLI::App& app, Session& session) {
       ->excludes(uncertainty)
       ->type_name("N");
   verb->add_flag("--all", options->all, "Print every metric, not the summary alone");
+  verb->add_flag("--approach", options->approach,
+                 "First simulate the event without barriers, for the coefficients of the hand "
+                 "formulas of the load; writes approach.json too");
   verb->add_flag("--profile", options->profile,
                  "Print which part of the solver took how long (also in result.json, timing)");
   verb->add_flag("--frames", options->flow.frames,
@@ -173,7 +196,8 @@ void add_simulate(CLI::App& app, Session& session) {
       ->check(CLI::Range(1e-6, 1e4))
       ->type_name("X");
   verb->add_flag("--picture", options->flow.picture,
-                 "Draw the flow at six moments into DIR/flow.png");
+                 "Draw the flow at six moments into DIR/flow.png, and the pressures of the design "
+                 "load into DIR/pressure.png");
   verb->add_option("--picture-times-s", options->flow.picture_times_s,
                    "Draw it at these times in seconds, for example 0.45,0.8,1.2")
       ->delimiter(',')

@@ -104,6 +104,13 @@ void check_run(const solver::RunOptions& run, Findings& findings) {
   }
 }
 
+void check_approach(const CaseSpec& spec, Findings& findings) {
+  const std::size_t given = spec.run.approach.size(), barriers = spec.scene.barriers.size();
+  if (given == 0 || given == barriers) return;
+  findings.add("/approach", "has " + std::to_string(given) + " places",
+               "one for each of the " + std::to_string(barriers) + " barriers, or no such key");
+}
+
 /// False when the stem lies on the bed rather than standing on it.
 bool check_stem(const CaseSpec& spec, std::size_t k, Findings& findings) {
   const double lean = (spec.scene.slope + spec.scene.barriers[k].stem_lean) * degrees_per_radian;
@@ -256,6 +263,7 @@ void check_case_meaning(const CaseSpec& spec, Findings& findings) {
   check_sound_speed(spec, findings);
   check_barriers(spec, findings);
   check_solids(spec.scene, findings);
+  check_approach(spec, findings);
 }
 
 }  // namespace parapet::designs

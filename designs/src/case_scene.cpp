@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "case_parts.hpp"
 #include "polygon.hpp"
@@ -154,6 +155,35 @@ solver::GaugeSettings read_gauges(const Json& json) {
 
 }  // namespace
 
+namespace {
+
+std::optional<double> number_or_none(const Json& object, const char* key) {
+  return object.at(key).is_null() ? std::nullopt : std::optional(number(object, key));
+}
+
+}  // namespace
+
+Json approach_json(const solver::Approach& flow) {
+  const auto json = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  return {{"front_velocity_m_s", json(flow.front_velocity)},
+          {"flow_depth_max_m", json(flow.depth)}};
+}
+
+solver::Approach approach_from_json(const Json& json) {
+  return {number_or_none(json, "front_velocity_m_s"), number_or_none(json, "flow_depth_max_m")};
+}
+
+void set_approach(CaseSpec& spec, const solver::ApproachProfile& profile) {
+  spec.run.approach.clear();
+  spec.resolved["approach"] = Json::array();
+  for (const solver::Barrier& barrier : spec.scene.barriers) {
+    spec.run.approach.push_back(profile.at(barrier.foot_x));
+    spec.resolved["approach"].push_back(approach_json(spec.run.approach.back()));
+  }
+}
+
 solver::RunOptions read_run(const Json& resolved) {
   const Json& json = resolved.at("run");
   solver::RunOptions run;
@@ -169,6 +199,11 @@ solver::RunOptions read_run(const Json& resolved) {
   run.settled.kinetic_energy_share = number(settled, "kinetic_energy_share");
   run.settled.earliest_time = number(settled, "earliest_time_s");
   run.gauges = read_gauges(resolved.at("gauges"));
+  if (resolved.contains("approach")) {
+    for (const Json& flow : resolved.at("approach")) {
+      run.approach.push_back(approach_from_json(flow));
+    }
+  }
   return run;
 }
 

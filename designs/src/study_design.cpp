@@ -304,7 +304,17 @@ CaseSpec design_case(const StudySpec& study, const Design& design, const Scenari
   if (spacing) inputs.json["numerics"]["spacing_m"] = *spacing;
   CaseAttempt attempt = try_case(inner_case_schema(), inputs.json, study.source_file, "/case");
   if (!attempt.spec) throw inputs.blamed(std::move(attempt.issues));
-  return *std::move(attempt.spec);
+  CaseSpec& spec = *attempt.spec;
+  if (study.undisturbed && study.undisturbed->fits(spec)) {
+    set_approach(spec, study.undisturbed->profile);
+  }
+  return std::move(spec);
+}
+
+bool UndisturbedFlow::fits(const CaseSpec& spec) const {
+  solver::Scene open = solver::undisturbed(spec.scene);
+  open.monitor_x = scene.monitor_x;  // where it is gauged does not change it
+  return open == scene && spec.run.gauges == gauges;
 }
 
 }  // namespace parapet::designs

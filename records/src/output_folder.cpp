@@ -150,9 +150,10 @@ void remove_earlier_advice(const fs::path& folder) {
 }
 
 void remove_earlier_simulation(const fs::path& folder) {
-  std::vector<fs::path> files{folder / checksum_list,        folder / "result.json",
-                              folder / "series.csv",         folder / "flow.png",
-                              folder / simulation_recording, folder / report_page};
+  std::vector<fs::path> files{
+      folder / checksum_list,   folder / "result.json",        folder / "series.csv",
+      folder / "flow.png",      folder / simulation_recording, folder / report_page,
+      folder / "approach.json", folder / "pressure.csv",       folder / "pressure.png"};
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder / "frames", ignored)) {
     const std::string ending = entry.path().extension().string();

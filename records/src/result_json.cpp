@@ -102,6 +102,7 @@ Json quality_json(const solver::Quality& quality) {
   Json json;
   json["energy_gain_ratio"] = number_or_null(quality.energy_gain_ratio);
   json["density_error_max"] = number_or_null(quality.density_error_max);
+  json["density_error_bulk"] = number_or_null(quality.density_error_bulk);
   json["mass_spread"] = number_or_null(quality.mass_spread);
   json["spray_share_max"] = number_or_null(quality.spray_share_max);
   json["wall_contacts_per_particle"] = number_or_null(quality.wall_contacts_per_particle);
@@ -183,6 +184,40 @@ std::string series_csv(const solver::Series& series) {
   return text;
 }
 
+Json load_profiles_json(const solver::Result& result) {
+  Json json = Json::array();
+  for (const solver::LoadProfile& profile : result.loads) {
+    Json one;
+    one["barrier"] = profile.barrier;
+    one["part"] = profile.deflector ? "deflector" : "stem";
+    one["window_end_s"] = profile.window_end < 0.0 ? Json(nullptr) : Json(profile.window_end);
+    one["window_s"] = number_or_null(profile.window);
+    one["normal_force_n_per_m"] = number_or_null(profile.normal_force());
+    one["edge_m"] = profile.edge;
+    one["pressure_pa"] = Json::array();
+    for (const double pressure : profile.pressure) {
+      one["pressure_pa"].push_back(number_or_null(pressure));
+    }
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+std::string load_profiles_csv(const solver::Result& result) {
+  std::string text = "barrier,part,from_m,to_m,pressure_pa\n";
+  for (const solver::LoadProfile& profile : result.loads) {
+    const std::string part =
+        std::to_string(profile.barrier) + (profile.deflector ? ",deflector," : ",stem,");
+    for (std::size_t k = 0; k < profile.pressure.size(); ++k) {
+      text += part + shortest_number(profile.edge[k]) + ',' + shortest_number(profile.edge[k + 1]) +
+              ',';
+      if (std::isfinite(profile.pressure[k])) text += shortest_number(profile.pressure[k]);
+      text += '\n';
+    }
+  }
+  return text;
+}
+
 Json result_json(const std::string& name, const solver::Result& result, const Json& resolved,
                  const Json& provenance, int threads) {
   Json json;
@@ -200,6 +235,7 @@ Json result_json(const std::string& name, const solver::Result& result, const Js
   if (Json uncertainty = uncertainty_json(result); !uncertainty.empty()) {
     json["uncertainty"] = std::move(uncertainty);
   }
+  if (!result.loads.empty()) json["loads"] = load_profiles_json(result);
   json["quality"] = quality_json(result.quality);
   json["warnings"] = warnings_json(result.warnings);
   json["mass"] = mass_json(result.mass);

@@ -31,7 +31,8 @@ Frame frame_of(const Flow& flow, double time) {
           .viscosity = part(f.viscosity, n),
           .id = std::span<const std::int32_t>(f.id.data(), n),
           .wall_x = part(flow.walls().x, points),
-          .wall_z = part(flow.walls().z, points)};
+          .wall_z = part(flow.walls().z, points),
+          .mass = part(f.mass, n)};
 }
 
 void copy(std::vector<double>& to, std::span<const double> from) {

@@ -52,6 +52,7 @@ Result finish(const Flow& flow, Recorder& recorder, StopReason stop_reason, std:
   result.stop_time = flow.time();
   result.metrics = recorder.metrics(flow, stop_reason);
   result.quality = recorder.quality(flow);
+  result.loads = recorder.load_profiles(flow);
   result.warnings = warnings_of(
       result.quality, recorder.unfinished(flow, stop_reason) && result.status == Status::ok,
       flow.time());

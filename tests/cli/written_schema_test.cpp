@@ -142,9 +142,12 @@ TEST_F(WrittenSchema, HoldsASimulationWithEverything) {
   run({"simulate", "case.json", "--out", "sure", "--uncertainty", "--jobs", "2"});
   run({"simulate", "case.json", "--out", "profile", "--profile"});
   run({"approach", "case.json", "--out", "approach"});
-  for (const char* name : {"out", "sure", "profile", "approach"}) expect_folder(folder_ / name);
-  EXPECT_GE(checked_["result"], 3);
-  EXPECT_EQ(checked_["approach"], 1);
+  run({"simulate", "case.json", "--out", "open", "--approach"});
+  for (const char* name : {"out", "sure", "profile", "approach", "open"}) {
+    expect_folder(folder_ / name);
+  }
+  EXPECT_GE(checked_["result"], 4);
+  EXPECT_EQ(checked_["approach"], 2);
   EXPECT_EQ(checked_["recording_header"], 1);
   EXPECT_GE(checked_["page"], 3);
   EXPECT_GE(checked_["folder"], 3);

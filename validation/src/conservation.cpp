@@ -14,6 +14,7 @@
 #include "barrier_runs.hpp"
 #include "cases.hpp"
 #include "flow_tools.hpp"
+#include "load_by_momentum.hpp"
 #include "parapet/flow/channel.hpp"
 #include "parapet/flow/pass_table.hpp"
 #include "parapet/reports/line_plot.hpp"
@@ -359,6 +360,7 @@ void add_budget(CaseRun& run) {
 
 void conservation(CaseRun& run) {
   add_budget(run);
+  add_load_by_momentum(run);
   std::vector<Track> tracks(1 + frames.size() + skins.size());
   run.side_by_side(
       tracks.size(),

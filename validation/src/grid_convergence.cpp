@@ -40,6 +40,77 @@ solver::Result refined(const SingleBarrier& barrier, double spacing, const CaseR
   return result;
 }
 
+// The parts of the grid convergence index: what falls with the spacing, and the scatter of the fit
+// about the means.
+struct GridParts {
+  double falling, fixed, order;
+};
+
+GridParts parts_of(const solver::MetricUncertainty& u) {
+  const solver::DiscretisationError fit =
+      solver::discretisation_error(u.level_spacing, u.level_mean);
+  const double rest =
+      fit.deviation + std::abs(u.level_mean.front() - u.extrapolated - fit.coefficient);
+  return {std::max(0.0, u.discretisation - rest), rest, u.order};
+}
+
+// Expanded uncertainty of the mean of so many lattices at a spacing, over its value by the fit.
+double relative_uncertainty(const solver::MetricUncertainty& u, double spacing, int lattices) {
+  const GridParts parts = parts_of(u);
+  const double coarser = std::pow(spacing / u.level_spacing.front(), parts.order);
+  const double value = u.extrapolated + coarser * (u.level_mean.front() - u.extrapolated);
+  const double grid = parts.falling * coarser + parts.fixed;
+  return std::hypot(grid, 2.0 * u.scatter / std::sqrt(lattices)) / std::abs(value);
+}
+
+// The coarsest spacing at which it is no more than a share, at most the coarsest that was tried
+// [m].
+double spacing_for(const solver::MetricUncertainty& u, double share, int lattices) {
+  double fine = 0.0, coarse = u.level_spacing.back();
+  if (relative_uncertainty(u, coarse, lattices) <= share) return coarse;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (fine + coarse);
+    (relative_uncertainty(u, middle, lattices) <= share ? fine : coarse) = middle;
+  }
+  return fine;
+}
+
+// How far the design load is known, of one run and of the mean of four lattices.
+void add_load_uncertainty(CaseRun& run, const SingleBarrier& barrier,
+                          const solver::Result& result) {
+  constexpr double wanted = 0.15;
+  const auto& u = result.find_metric("barrier_1_design_force_n_per_m")->uncertainty;
+  if (!u) return;
+  for (const int lattices : {1, 4}) {
+    const std::string of = fmt::format("{}: design force, {}", barrier.name,
+                                       lattices == 1 ? "one run" : "mean of four lattices");
+    const auto key = [&](const char* name) {
+      return fmt::format("{}_load_{}_{}", barrier.key, name, lattices);
+    };
+    Measure known{.key = key("known"),
+                  .what = fmt::format("{}: expanded uncertainty (95 %) at {:.1f} mm", of,
+                                      1e3 * u->level_spacing.front()),
+                  .value = 100.0 * relative_uncertainty(*u, u->level_spacing.front(), lattices),
+                  .unit = "%"};
+    if (run.full()) {
+      known.upper = 100.0 * wanted;
+      known.reason = "wanted of a load to design with";
+      known.explanation =
+          "nearly all of it is the grid's part: three times the distance to the "
+          "limit, as long as no order of convergence is observed";
+    }
+    run.add(std::move(known));
+    run.add({.key = key("at_5mm"),
+             .what = of + ": the same at 5 mm",
+             .value = 100.0 * relative_uncertainty(*u, 0.005, lattices),
+             .unit = "%"});
+    run.add({.key = key("needs_15"),
+             .what = of + ": spacing at which it is 15 %",
+             .value = 1e3 * spacing_for(*u, wanted, lattices),
+             .unit = "mm"});
+  }
+}
+
 void add_row(CaseRun& run, const SingleBarrier& barrier, const JudgedMetric& judged,
              const solver::Result& result) {
   const solver::Metric* metric = result.find_metric(judged.key);
@@ -144,6 +215,7 @@ void grid_convergence(CaseRun& run) {
     plot.height_px = 480;
     if (!plot.series.empty()) draw_line_plot(run.figure(std::string(judged.key) + ".png"), plot);
   }
+  for (std::size_t row = 0; row < n_rows; ++row) add_load_uncertainty(run, rows[row], results[row]);
   add_needed_spacings(run, results);
 }
 

@@ -88,6 +88,30 @@ std::string hand_formula_section(const DesignReport& design) {
       number_text(simulated), number_text(formula), share);
 }
 
+std::string load_formulas_section(const DesignReport& design) {
+  std::vector<std::vector<std::string>> rows{
+      {"barrier", "design force", "alpha of alpha rho v^2 h", "k of k rho g h^2/2"}};
+  for (int k = 1;; ++k) {
+    const std::string barrier = fmt::format("barrier_{}_", k);
+    const auto force = metric_value(design, barrier + "design_force_n_per_m");
+    if (!force) break;
+    const auto alpha = metric_value(design, barrier + "hydrodynamic_coefficient");
+    const auto static_k = metric_value(design, barrier + "hydrostatic_coefficient");
+    if (!alpha && !static_k) continue;
+    rows.push_back({fmt::format("{}", k), number_text(force) + " N/m", number_text(alpha),
+                    number_text(static_k)});
+  }
+  if (rows.size() == 1) return "";
+  return "## Loads against the hand formulas\n\nThe coefficients with which the two formulas give "
+         "the "
+         "simulated design force, for the velocity v and the depth h of the same event without "
+         "barriers at the barrier's foot (approach.json). Compare them with the values of your "
+         "code; "
+         "Huebl et al. 2009 (Debris flow impact estimation, Ohrid) and Scheidl et al. 2013 (doi "
+         "10.1007/s10712-012-9199-6) collect measured ones.\n\n" +
+         table(rows, "rrrr");
+}
+
 std::string metrics_section(const DesignReport& design,
                             const std::vector<std::pair<std::string, std::string>>& definitions) {
   const std::map<std::string, std::string> meaning(definitions.begin(), definitions.end());

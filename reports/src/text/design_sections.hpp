@@ -15,6 +15,9 @@ std::string margins_section(const DesignReport& design);
 /// The launch length against the formula that engineers use; empty where either is missing.
 std::string hand_formula_section(const DesignReport& design);
 
+/// The loads against the hand formulas; empty where no undisturbed flow is known.
+std::string load_formulas_section(const DesignReport& design);
+
 /// Every metric, with what it means.
 /// @param definitions metric key, what it means
 std::string metrics_section(const DesignReport& design,

@@ -102,7 +102,8 @@ std::string recommendation_text(const Recommendation& given) {
   if (shown != nullptr) {
     text += improvement_section(advice.improvement) + alternatives_section(advice);
     text += sensitivity_section(advice) + effects_section(advice);
-    text += hand_formula_section(*shown) + metrics_section(*shown, advice.definitions);
+    text += hand_formula_section(*shown) + load_formulas_section(*shown) +
+            metrics_section(*shown, advice.definitions);
   }
   return text + study_section(advice.study) + failed_section(advice.failed) + closing(advice);
 }

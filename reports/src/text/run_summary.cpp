@@ -108,6 +108,12 @@ std::string loads(const Result& result) {
     if (const Metric* height = with_value(result, barrier + "run_up_height_m")) {
       words += "; the debris rose to " + quantity(*height);
     }
+    if (const Metric* alpha = with_value(result, barrier + "hydrodynamic_coefficient")) {
+      words += fmt::format("; alpha of alpha rho v^2 h {:.3g}", *alpha->value);
+    }
+    if (const Metric* k_factor = with_value(result, barrier + "hydrostatic_coefficient")) {
+      words += fmt::format("; k of k rho g h^2/2 {:.3g}", *k_factor->value);
+    }
     text += line(label, words);
   }
 }

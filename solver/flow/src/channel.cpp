@@ -52,6 +52,14 @@ FlowSetup channel_setup(const Scene& scene, const Numerics& numerics, int thread
   for (std::size_t k = 0; k < scene.barriers.size(); ++k) {
     const int cell = 2 * static_cast<int>(k);
     const std::size_t first = setup.solids.faces.size();
+    const Barrier& barrier = scene.barriers[k];
+    const Vec2 foot{barrier.foot_x, 0.0}, stem = stem_direction(scene, barrier);
+    setup.load_axes.push_back({foot, stem, barrier.height});
+    setup.load_axes.push_back({foot + barrier.height * stem, {1.0, 0.0}, 0.0});
+    if (barrier.deflector) {
+      setup.load_axes.back().direction = deflector_direction(scene, *barrier.deflector);
+      setup.load_axes.back().length = barrier.deflector->length;
+    }
     add_outline(setup.solids, barrier_outline(scene, scene.barriers[k]), cell, true);
     if (!scene.barriers[k].deflector) continue;
     // between the stem's two faces: the plate's lower face, its tip and its upper face

@@ -46,6 +46,12 @@ Flow::Flow(FlowSetup setup)
                       ? make_rk4_explicit()
                       : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
       impulses_(at(setup_.n_barriers)) {
+  int strips = 0;
+  for (const LoadAxis& axis : setup_.load_axes) {
+    first_strip_.push_back(strips);
+    strips += axis.strips(setup_.numerics.spacing);
+  }
+  strip_impulses_.resize(at(strips));
   kernel_ = make_kernel(smoothing_length(), setup_.numerics.spacing);
   if (!as_published()) kernel_.f_scale /= lattice_moment(kernel_, setup_.numerics.spacing);
   now_.sound_speed =

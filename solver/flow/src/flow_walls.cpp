@@ -1,6 +1,7 @@
 // What a flow does with its walls: loads on the barriers, the contact rule, and the count of
 // particles where none may be.
 #include <algorithm>
+#include <cmath>
 
 #include "parallel.hpp"
 #include "parapet/flow/flow.hpp"
@@ -41,6 +42,7 @@ void Flow::measure_barrier_load(double dt) {
     const Vec2 force{load_x_[at(s)], load_z_[at(s)]};
     const Vec2 arm = Vec2{walls_.x[k], walls_.z[k]} - moment_center(setup_.solids, face);
     impulse.force = impulse.force + dt * force;
+    add_to_strip(face.barrier, {walls_.x[k], walls_.z[k]}, dt * force);
     impulse.moment -= dt * cross(arm, force);  // clockwise is downstream
   }
 }
@@ -49,6 +51,31 @@ std::vector<BarrierImpulse> Flow::take_impulses() {
   std::vector<BarrierImpulse> taken(impulses_.size());
   taken.swap(impulses_);
   return taken;
+}
+
+std::vector<Vec2> Flow::take_strip_impulses() {
+  std::vector<Vec2> taken(strip_impulses_.size());
+  taken.swap(strip_impulses_);
+  return taken;
+}
+
+void Flow::add_to_strip(int load_cell, Vec2 place, Vec2 impulse) {
+  if (at(load_cell) >= setup_.load_axes.size()) return;
+  const int strip = setup_.load_axes[at(load_cell)].strip(place, setup_.numerics.spacing);
+  if (strip < 0) return;
+  Vec2& sum = strip_impulses_[at(first_strip_[at(load_cell)] + strip)];
+  sum = sum + impulse;
+}
+
+int LoadAxis::strips(double spacing) const {
+  // as many as there are wall points along a face of this length
+  return static_cast<int>(std::ceil(length / spacing - 1e-6));
+}
+
+int LoadAxis::strip(Vec2 place, double spacing) const {
+  const int last = strips(spacing) - 1;
+  const double along = std::floor(dot(place - start, direction) / spacing);
+  return std::min(static_cast<int>(std::max(along, 0.0)), last);
 }
 
 void Flow::stop_at_walls() {
@@ -70,6 +97,7 @@ void Flow::stop_at_walls() {
       BarrierImpulse& impulse = impulses_[at(barrier)];
       const Vec2 foot = moment_center(setup_.solids, setup_.solids.faces[at(face)]);
       impulse.force = impulse.force + fluid_.mass[k] * lost;
+      add_to_strip(barrier, motion.after, fluid_.mass[k] * lost);
       impulse.moment -= fluid_.mass[k] * cross(motion.after - foot, lost);
     }
     fluid_.x[k] = motion.after.x;

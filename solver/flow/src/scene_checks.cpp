@@ -156,6 +156,13 @@ std::vector<std::string> run_errors(const RunOptions& o) {
     f.require(o.frame_times[k] >= least, "time of a frame", o.frame_times[k], "s",
               "0 or more, each after the one before");
   }
+  for (const Approach& flow : o.approach) {
+    const auto sound = [](const std::optional<double>& value) { return !value || *value > 0.0; };
+    f.require(sound(flow.front_velocity), "velocity of the undisturbed front",
+              flow.front_velocity.value_or(0.0), "m/s", "more than 0");
+    f.require(sound(flow.depth), "depth of the undisturbed flow", flow.depth.value_or(0.0), "m",
+              "more than 0");
+  }
   f.require(o.threads >= 1, "threads", o.threads, "", "1 or more");
   f.require(o.settled.window > 0.0, "settled window", o.settled.window, "s", "more than 0");
   f.require(o.settled.retention_change > 0.0, "settled retention change",

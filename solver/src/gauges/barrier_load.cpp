@@ -18,7 +18,8 @@ void add(BarrierImpulse& sum, const BarrierImpulse& impulse) {
 
 }  // namespace
 
-void LoadGauge::observe(std::vector<BarrierImpulse> impulses, double time_step, double time) {
+void LoadGauge::observe(std::vector<BarrierImpulse> impulses, double time_step, double time,
+                        const std::vector<Vec2>& strips) {
   for (std::size_t cell = 0; cell < impulses.size(); ++cell) {
     add(interval_[cell], impulses[cell]);
     Vec2& whole = whole_[cell / cells_per_barrier];
@@ -26,7 +27,9 @@ void LoadGauge::observe(std::vector<BarrierImpulse> impulses, double time_step, 
   }
   interval_time_ += time_step;
   covered_ += time_step;
-  steps_.push_back({time_step, std::move(impulses)});
+  strips_.resize(std::max(strips_.size(), strips.size()));
+  steps_.push_back({time_step, std::move(impulses), strips_});
+  for (std::size_t k = 0; k < strips.size(); ++k) strips_[k] = strips_[k] + strips[k];
   const double enough = windows_[design_window] * (1.0 - 1e-9);
   while (covered_ - steps_.front().time >= enough) {
     covered_ -= steps_.front().time;
@@ -59,10 +62,23 @@ void LoadGauge::update_peaks(std::size_t barrier, double time) {
       }
       peak.moment = std::max(peak.moment, load.moment);
       if (window != design_window) continue;
-      if (larger) loads.design = load;
+      if (larger) {
+        loads.design = load;
+        keep_strips(loads, *step, covered);
+      }
       loads.stem = std::max(loads.stem, norm(mean(stem, covered).force));
       loads.deflector = std::max(loads.deflector, norm(mean(deflector, covered).force));
     }
+  }
+}
+
+// The means since the beginning of a step.
+void LoadGauge::keep_strips(BarrierLoads& loads, const Step& first, double covered) const {
+  loads.design_time = covered;
+  loads.design_strips = strips_;
+  for (std::size_t k = 0; k < strips_.size(); ++k) {
+    const Vec2 before = k < first.strips_before.size() ? first.strips_before[k] : Vec2{};
+    loads.design_strips[k] = (1.0 / covered) * (strips_[k] - before);
   }
 }
 

@@ -31,6 +31,9 @@ struct BarrierLoads {
   std::array<PeakLoad, load_windows> peak;  // of both together
   BarrierLoad design;                       // when its mean over the design window was largest
   double stem = 0.0, deflector = 0.0;       // largest means over the design window [N/m]
+  // When it was largest: mean forces on the strips of all load axes, and over what time.
+  std::vector<Vec2> design_strips;  // [n_strips] [N/m]
+  double design_time = 0.0;         // [s]
 };
 
 // How a scene's load cells are numbered: see channel_setup.
@@ -46,7 +49,9 @@ class LoadGauge {
         loads_(n_barriers) {}
   // After every time step: its impulses on the load cells [n_barriers x cells_per_barrier], its
   // length and its end [s].
-  void observe(std::vector<BarrierImpulse> impulses, double time_step, double time);
+  // @param strips likewise on the strips of the load axes, or empty where nothing acts
+  void observe(std::vector<BarrierImpulse> impulses, double time_step, double time,
+               const std::vector<Vec2>& strips = {});
   // Mean loads on the load cells since the last reading.
   std::vector<BarrierLoad> read();
   const std::vector<BarrierLoads>& loads() const { return loads_; }
@@ -57,15 +62,17 @@ class LoadGauge {
   struct Step {
     double time;                           // its length [s]
     std::vector<BarrierImpulse> impulses;  // of the load cells
+    std::vector<Vec2> strips_before;       // impulses on the strips since the release, before it
   };
   void update_peaks(std::size_t barrier, double time);
+  void keep_strips(BarrierLoads& loads, const Step& first, double covered) const;
 
   std::array<double, load_windows> windows_;
   std::deque<Step> steps_;  // the latest, just enough to fill the longest window
   double covered_ = 0.0;    // by them [s]
   std::vector<BarrierImpulse> interval_;
-  double interval_time_ = 0.0;  // [s]
-  std::vector<Vec2> whole_;
+  double interval_time_ = 0.0;        // [s]
+  std::vector<Vec2> whole_, strips_;  // since the release
   std::vector<BarrierLoads> loads_;
 };
 

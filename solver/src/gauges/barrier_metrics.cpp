@@ -14,6 +14,15 @@ HeldDebris held(Readings run, std::size_t barrier) {
   return run.barriers[barrier].held.value_or(HeldDebris{});
 }
 
+// rho v^2 h and rho g h^2/2 of the undisturbed flow [N/m]: the hand formulas with a factor of 1.
+double hydrodynamic_load(Readings run, const Approach& flow) {
+  return run.density * *flow.front_velocity * *flow.front_velocity * *flow.depth;
+}
+
+double hydrostatic_load(Readings run, const Approach& flow) {
+  return 0.5 * run.density * run.gravity * *flow.depth * *flow.depth;
+}
+
 // Of every barrier.
 constexpr std::array barrier_entries{
     MetricEntry{
@@ -103,6 +112,37 @@ constexpr std::array barrier_entries{
         .gauge = [](Readings run, std::size_t k) -> Reading {
           return run.barriers[k].loads.peak[short_window].moment;
         }},
+    MetricEntry{.key = "barrier_K_hydrodynamic_coefficient",
+                .unit = "",
+                .least = 0.0,
+                .absent_when = {&no_approach, &approach_not_seen},
+                .definition =
+                    "alpha of the hand formula alpha rho v^2 h: design force over rho v^2 h, with "
+                    "velocity v of the front (over front_base, 0.5 H0) and depth h (largest mean "
+                    "over depth_window, 0.2 H0) of the undisturbed flow at the barrier's foot",
+                .gauge = [](Readings run, std::size_t k) -> Reading {
+                  const BarrierReadings& barrier = run.barriers[k];
+                  if (!barrier.approach) return no_approach;
+                  const Approach& flow = *barrier.approach;
+                  if (!flow.front_velocity || !flow.depth) return approach_not_seen;
+                  return barrier.loads.peak[design_window].force / hydrodynamic_load(run, flow);
+                },
+                .coarsest = [](Settings s) { return s.depth_window_ratio / fewest_across_window; },
+                .mass_share = [](Settings s) { return s.front_mass_share; }},
+    MetricEntry{.key = "barrier_K_hydrostatic_coefficient",
+                .unit = "",
+                .least = 0.0,
+                .absent_when = {&no_approach, &approach_not_seen},
+                .definition = "k of the hand formula k rho g h^2/2: design force over rho g h^2/2, "
+                              "with the same depth h",
+                .gauge = [](Readings run, std::size_t k) -> Reading {
+                  const BarrierReadings& barrier = run.barriers[k];
+                  if (!barrier.approach) return no_approach;
+                  const Approach& flow = *barrier.approach;
+                  if (!flow.depth) return approach_not_seen;
+                  return barrier.loads.peak[design_window].force / hydrostatic_load(run, flow);
+                },
+                .coarsest = [](Settings s) { return s.depth_window_ratio / fewest_across_window; }},
     MetricEntry{.key = "barrier_K_impulse_n_s_per_m",
                 .unit = "N s/m",
                 .least = 0.0,

@@ -67,6 +67,12 @@ inline constexpr Absent no_push{.text = "the design force does not push the stem
 inline constexpr Absent not_at_rest{
     .text = "read at rest only: the run was not until_rest, or it ended before",
     .kind = Absence::run_too_short};
+inline constexpr Absent no_approach{
+    .text =
+        "the undisturbed flow at the barrier was not given: `simulate --approach`, a study, or "
+        "`approach` in the case"};
+inline constexpr Absent approach_not_seen{
+    .text = "the undisturbed flow does not come as far as the barrier"};
 inline constexpr Absent no_reading_time{.text = "no run.reading_time_s was given"};
 inline constexpr Absent nothing_beyond{
     .text = "nothing was beyond the first barrier at run.reading_time"};

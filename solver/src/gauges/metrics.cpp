@@ -66,6 +66,7 @@ RunReadings Recorder::readings() const {
   run.particles = static_cast<double>(particles_);
   run.gravity = scene_.gravity;
   run.slope = scene_.slope;
+  run.density = scene_.material.density;
   run.released_volume = g_.released_mass / scene_.material.density;
   run.front = front_passage(g_, time, column("front_x_m"));
   const bool met = !arrival_.empty() && arrival_.front() >= 0.0;
@@ -104,6 +105,7 @@ RunReadings Recorder::readings() const {
     barrier.loads = loads_.loads()[k];
     barrier.impulse = impulse_[k];
     barrier.events = held_[k];
+    if (k < options_.approach.size()) barrier.approach = options_.approach[k];
     const BarrierLoad& design = barrier.loads.design;
     const double pushing = dot(design.force, g_.lines[k].downstream);
     if (pushing > 0.0) barrier.load_height = design.moment / pushing;

@@ -27,6 +27,26 @@ double spray_share(const Fluid& f) {
   return all > 0.0 ? spray / all : 0.0;
 }
 
+double density_error(const Fluid& f, double reference_density, double mass_share) {
+  struct Parcel {
+    double error, mass;
+  };
+  std::vector<Parcel> parcels;
+  double beyond = 0.0;
+  for (std::size_t i = 0; i < at(f.n); ++i) {
+    parcels.push_back({std::abs(f.density[i] / reference_density - 1.0), f.mass[i]});
+    beyond += mass_share * f.mass[i];
+  }
+  std::sort(parcels.begin(), parcels.end(), [](const Parcel& a, const Parcel& b) {
+    return a.error > b.error || (a.error == b.error && a.mass > b.mass);
+  });
+  for (const Parcel& parcel : parcels) {
+    beyond -= parcel.mass;
+    if (beyond < 0.0) return parcel.error;
+  }
+  return 0.0;
+}
+
 double mass_spread(const Fluid& f) {
   if (f.n == 0) return 0.0;
   double sum = 0.0, squares = 0.0;
@@ -54,9 +74,10 @@ std::vector<Warning> warnings_of(const Quality& q, bool unfinished, double stop_
   most("energy_gain_ratio", q.energy_gain_ratio, L::energy_gain_ratio,
        "the scheme created " + number(100.0 * q.energy_gain_ratio) +
            " % of the released block's energy: a flow with too little friction for its particles");
-  most("density_error_max", q.density_error_max, L::density_error_max,
-       "a density was off by " + number(100.0 * q.density_error_max) +
-           " %: loads and run-up at that moment are not trustworthy");
+  most("density_error_bulk", q.density_error_bulk, L::density_error_bulk,
+       "densities were off by " + number(100.0 * q.density_error_bulk) + " % and more in " +
+           number(100.0 * density_mass_share) +
+           " % of the mass: loads and run-up at that moment are not trustworthy");
   most("mass_spread", q.mass_spread, L::mass_spread,
        "the particles' masses have come to vary by " + number(100.0 * q.mass_spread) + " %");
   most("spray_share_max", q.spray_share_max, L::spray_share_max,

@@ -11,6 +11,11 @@ namespace parapet::solver {
 // Share of the mass that has come off the fluid.
 double spray_share(const Fluid& fluid);
 
+// |rho/rho_0 - 1| that this share of the mass exceeds.
+double density_error(const Fluid& fluid, double reference_density, double mass_share);
+
+constexpr double density_mass_share = 0.01;  // of what counts as more than droplets
+
 // Coefficient of variation of the particles' masses, weighted by nothing.
 double mass_spread(const Fluid& fluid);
 

@@ -51,7 +51,8 @@ RecordedStart::Sample channel_sample(const GaugeScene& g, const Flow& flow) {
           .max_speed = std::sqrt(fastest),
           .left_mass = flow.left_mass(),
           .inside_walls = flow.particles_inside_walls(),
-          .spray_share = spray_share(f)};
+          .spray_share = spray_share(f),
+          .density_error = density_error(f, g.scene->material.density, density_mass_share)};
 }
 
 }  // namespace parapet::solver

@@ -31,6 +31,7 @@ struct RecordedStart {
     double left_mass;                         // [kg/m]
     std::int64_t inside_walls;                // particles
     double spray_share;                       // of the mass
+    double density_error;                     // of the bulk
   };
   struct Step {
     double length, end;  // [s]

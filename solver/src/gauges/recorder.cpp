@@ -107,6 +107,7 @@ void Recorder::add_sample(const RecordedStart::Sample& sample, const Fluid& f) {
     energy_gain_.observe(sample.kinetic_energy + sample.potential_energy);
   }
   spray_share_ = std::max(spray_share_, sample.spray_share);
+  density_error_ = std::max(density_error_, sample.density_error);
   std::vector<double> row{sample.time,
                           sample.kinetic_energy,
                           window_kinetic_energy(g_, f),
@@ -174,6 +175,7 @@ Quality Recorder::quality(const Flow& flow) const {
   Quality quality;
   quality.energy_gain_ratio = energy_gain_.largest() / released;
   quality.density_error_max = statistics.max_density_error;
+  quality.density_error_bulk = density_error_;
   quality.mass_spread = mass_spread(flow.fluid());
   quality.spray_share_max = spray_share_;
   quality.wall_contacts_per_particle =

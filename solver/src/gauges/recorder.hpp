@@ -24,7 +24,8 @@ class Recorder {
 
   void after_step(Flow& flow) {
     launch_.observe(flow.fluid(), flow.time());
-    loads_.observe(flow.take_impulses(), flow.last_time_step(), flow.time());
+    loads_.observe(flow.take_impulses(), flow.last_time_step(), flow.time(),
+                   flow.take_strip_impulses());
     watch_events(flow);
     if (options_.profile) count_at_rest(flow.fluid());
   }
@@ -42,6 +43,8 @@ class Recorder {
   std::optional<StopReason> ended(const Flow& flow) const;
   // @param stop_reason why the run ended
   std::vector<Metric> metrics(const Flow& flow, StopReason stop_reason) const;
+  // How the design loads are spread over stems and deflectors.
+  std::vector<LoadProfile> load_profiles(const Flow& flow) const;
   // Of the flow at its end.
   Quality quality(const Flow& flow) const;
   // Whether metrics could still change when the run ended, for this reason.
@@ -95,8 +98,8 @@ class Recorder {
   std::int64_t inside_ = 0;
   double peak_energy_ = 0.0;
   EnergyGain energy_gain_;
-  double spray_share_ = 0.0;              // largest
-  std::optional<double> approach_depth_;  // when the flow meets the first barrier [m]
+  double spray_share_ = 0.0, density_error_ = 0.0;  // largest
+  std::optional<double> approach_depth_;            // when the flow meets the first barrier [m]
   std::optional<Quiet> quiet_;
   std::vector<Moment> moments_;
   std::int64_t particle_steps_ = 0, particle_steps_at_rest_ = 0;

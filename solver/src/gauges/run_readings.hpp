@@ -8,6 +8,7 @@
 #include "barrier_load.hpp"
 #include "instant.hpp"
 #include "launch.hpp"
+#include "parapet/solver/approach.hpp"
 
 namespace parapet::solver {
 
@@ -66,7 +67,8 @@ struct BarrierReadings {
   std::optional<double> impulse;       // over impulse_time from the arrival on [N s/m]
   std::optional<BarrierLoad> at_rest;  // mean over the end of a run until rest
   HeldEvents events;
-  std::optional<HeldDebris> held;  // at the end; not while the run goes on
+  std::optional<HeldDebris> held;    // at the end; not while the run goes on
+  std::optional<Approach> approach;  // where it is known
 };
 
 struct RunReadings {
@@ -76,6 +78,7 @@ struct RunReadings {
   double particles = 0.0;             // released
   bool unfinished = false;            // the run ended while metrics could still change
   double gravity = 0.0, slope = 0.0;  // [m/s2], [rad]
+  double density = 0.0;               // of the material [kg/m3]
   double released_volume = 0.0;       // [m3/m]
   FrontPassage front;
   std::optional<EnergyPhases> energy;

@@ -12,6 +12,7 @@
 #include "parapet/records/study_folder.hpp"
 #include "parapet/study/scoring.hpp"
 #include "parapet/study/study_surrogates.hpp"
+#include "parapet/study/undisturbed.hpp"
 
 namespace parapet::study {
 namespace {
@@ -190,6 +191,7 @@ LoadedStudy load_study_folder(const std::filesystem::path& folder) {
         .state = {},
         .designs = {}};
   });
+  study.spec.undisturbed = read_undisturbed(folder, study.spec);
   study.physics = reading(file, [&] { return records::physics_numbers(state); });
   if (study.physics.size() > 1) {
     study.notes.push_back(

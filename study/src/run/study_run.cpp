@@ -5,6 +5,7 @@
 #include "parapet/records/atomic_file.hpp"
 #include "parapet/records/study_folder.hpp"
 #include "parapet/study/problem.hpp"
+#include "parapet/study/undisturbed.hpp"
 #include "study_methods.hpp"
 
 namespace parapet::study {
@@ -26,7 +27,8 @@ void try_to_say_failed(OutputWriter& writer, const std::string& why,
 
 }  // namespace
 
-StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& options) {
+StudySummary run_study(const designs::StudySpec& asked, const StudyRunOptions& options) {
+  designs::StudySpec study = asked;
   if (auto issues = method_issues(study); !issues.empty()) {
     throw designs::InputError(std::move(issues));
   }
@@ -35,6 +37,10 @@ StudySummary run_study(const designs::StudySpec& study, const StudyRunOptions& o
   folder.begin({.jobs = options.jobs, .max_evaluations = study.method.max_evaluations});
   if (options.hooks.on_message) {
     for (const std::string& note : folder.notes()) options.hooks.on_message(note);
+  }
+  if (options.undisturbed) {
+    study.undisturbed =
+        make_undisturbed(options.folder, study, options.program, options.jobs, options.hooks);
   }
   OutputWriter writer(study, folder, options.hooks);
   writer.record_added();

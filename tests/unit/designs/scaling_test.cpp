@@ -32,6 +32,9 @@ Json event(double size, bool open_channel) {
                     {"run_up_mass_share", 0.005}};
   json["gauges"]["ramp_column_ratio"] = 0.5;
   if (!open_channel) json["run"]["reading_time_s"] = 1.05 * longer;
+  if (!open_channel) {
+    json["approach"] = {{{"front_velocity_m_s", 1.7 * longer}, {"flow_depth_max_m", 0.05 * size}}};
+  }
   if (!open_channel) json["barriers"] = Json::parse(R"([{"deflector": {"angle_deg": 45}}])");
   return json;
 }

@@ -39,7 +39,8 @@ struct Cloud {
             .viscosity = viscosity,
             .id = id,
             .wall_x = {},
-            .wall_z = {}};
+            .wall_z = {},
+            .mass = {}};
   }
 };
 

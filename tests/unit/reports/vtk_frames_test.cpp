@@ -34,7 +34,8 @@ struct SmallFlow {
             .viscosity = viscosity,
             .id = id,
             .wall_x = wall_x,
-            .wall_z = wall_z};
+            .wall_z = wall_z,
+            .mass = {}};
   }
 };
 

@@ -29,6 +29,14 @@ struct CaseSpec {
   Json resolved;
 };
 
+/// The undisturbed flow at one place, as a case's `approach` lists it, and back.
+Json approach_json(const solver::Approach& flow);
+/// @throws Json::exception
+solver::Approach approach_from_json(const Json& json);
+
+/// Gives a case the undisturbed flow at its barriers' feet, in place of what it had.
+void set_approach(CaseSpec& spec, const solver::ApproachProfile& profile);
+
 /// Reads and checks a case. `file` only names the source in messages.
 /// @throws InputError with every issue found.
 CaseSpec parse_case(const Json& json, const std::string& file);

@@ -184,6 +184,16 @@ enum class Recordings {
   all     ///< all that ended well at the finest spacing
 };
 
+/// The base event of a study without barriers, simulated once.
+struct UndisturbedFlow {
+  solver::Scene scene;  ///< without barriers
+  solver::GaugeSettings gauges;
+  solver::ApproachProfile profile;
+
+  /// Whether a case has the same event and the same gauges, so that it holds for its barriers.
+  bool fits(const CaseSpec& spec) const;
+};
+
 /// A parsed study file, checked and with every default filled in.
 struct StudySpec {
   std::string name;
@@ -201,6 +211,8 @@ struct StudySpec {
   std::vector<Term> terms = {};  ///< in the order of their names
   /// Of scenarios that are drawn from distributions; empty for listed ones.
   std::vector<EventVariable> event_variables = {};
+  /// No part of the file: where it is known, design_case() gives each case its `approach`.
+  std::shared_ptr<const UndisturbedFlow> undisturbed = nullptr;
 };
 
 /// method.algorithm in upper case.

@@ -38,6 +38,13 @@ designs::Json series_json(const solver::Series& series);
 /// same double back, nothing where a value is not defined.
 std::string series_csv(const solver::Series& series);
 
+/// [{barrier, part, window_end_s, window_s, normal_force_n_per_m, edge_m, pressure_pa}] of each
+/// stem and deflector: see solver::LoadProfile.
+designs::Json load_profiles_json(const solver::Result& result);
+
+/// The same as pressure.csv: a row for each strip.
+std::string load_profiles_csv(const solver::Result& result);
+
 /// The content of result.json, format "parapet-result/1". Only `timing` may differ between two
 /// runs of the same case.
 /// @param resolved the case with every default written out

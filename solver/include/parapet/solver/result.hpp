@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "parapet/solver/profile.hpp"
+#include "parapet/solver/vec2.hpp"
 
 namespace parapet::solver {
 
@@ -106,19 +107,21 @@ struct Quality {
   /// Largest rise of kinetic and potential energy above their lowest sum before, until something
   /// has left the domain, over the released block's potential energy above the bed.
   double energy_gain_ratio = 0.0;
-  double density_error_max = 0.0;  ///< max |rho/rho_0 - 1|
+  double density_error_max = 0.0;  ///< max |rho/rho_0 - 1|, be it of a single droplet: no limit
   double mass_spread = 0.0;      ///< coefficient of variation of the particles' masses, at the end
   double spray_share_max = 0.0;  ///< largest share of the mass that had come off the fluid
   double wall_contacts_per_particle = 0.0;  ///< stopped at a wall by the contact rule
   /// Depth of the flow that meets the first barrier, front_clearance before it, in particle
   /// spacings; absent when none arrived, or in an open channel.
   std::optional<double> particles_across_approach;
+  /// Largest density error that a hundredth of the mass exceeds at once (density_mass_share).
+  double density_error_bulk = 0.0;
 };
 
 /// Beyond these a result warns.
 struct QualityLimits {
   static constexpr double energy_gain_ratio = 0.05;
-  static constexpr double density_error_max = 0.1;
+  static constexpr double density_error_bulk = 0.1;
   static constexpr double mass_spread = 0.15;
   static constexpr double spray_share_max = 0.6;
   static constexpr double wall_contacts_per_particle = 1.0;
@@ -134,6 +137,22 @@ struct Warning {
   friend bool operator==(const Warning&, const Warning&) = default;
 };
 
+/// How the load on a part of a barrier is spread over its face, as the mean over the window of the
+/// barrier's design load. Net: of all faces of the part, so that a flow behind it counts against
+/// one before it.
+struct LoadProfile {
+  int barrier = 0;          ///< counted from 1, upstream first
+  bool deflector = false;   ///< else the stem
+  double window_end = 0.0;  ///< of the window of the design load [s]; negative: no force acted
+  double window = 0.0;      ///< its length [s]
+  Vec2 normal;  ///< of the part: the stem's downstream, the plate's out of its upper face
+  /// [n + 1] ends of the strips along the part, one particle spacing long: from the stem's foot,
+  /// from the plate's crest [m]. Strips at the ends hold what acts on the part's edges.
+  std::vector<double> edge;
+  std::vector<double> pressure;  ///< [n] part of the force along the normal, over the strip [Pa]
+  double normal_force() const;   ///< the sum of pressure times length [N/m]
+};
+
 /// The answer of one simulation.
 struct Result {
   Status status = Status::ok;
@@ -147,6 +166,7 @@ struct Result {
   Quality quality;
   std::vector<Warning> warnings;   ///< empty for a sound run
   std::optional<Profile> profile;  ///< when it was asked for
+  std::vector<LoadProfile> loads;  ///< of each stem, and each deflector after its stem
 
   /// The metric of that key, or nullptr.
   const Metric* find_metric(std::string_view key) const;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "parapet/solver/approach.hpp"
 #include "parapet/solver/gauge_settings.hpp"
 #include "parapet/solver/numerics.hpp"
 #include "parapet/solver/result.hpp"
@@ -41,6 +42,9 @@ struct RunOptions {
   double reading_time = 0.0;
   SettledRule settled;
   GaugeSettings gauges;
+  /// [n_barriers] the undisturbed flow at each barrier's foot, for the coefficients of the hand
+  /// formulas; empty where it is not known.
+  std::vector<Approach> approach = {};
 };
 
 /// The options with their times in the same ratio to sqrt(H0/g) as those of the default scene.
@@ -62,6 +66,7 @@ struct Frame {
   std::span<const double> viscosity;       ///< apparent [Pa s]
   std::span<const std::int32_t> id;        ///< of the particle at release
   std::span<const double> wall_x, wall_z;  ///< wall points [m]
+  std::span<const double> mass;            ///< [kg/m]
 };
 
 /// How far a run is.

@@ -22,6 +22,8 @@ struct StudyRunOptions {
   bool mix_physics = false;  ///< whether to continue a study of another physics number
   Hooks hooks;
   ServiceFactory service = local_service();  ///< who simulates
+  /// Whether the event is simulated without barriers first (make_undisturbed).
+  bool undisturbed = false;
 };
 
 /// How far a study is.

@@ -202,5 +202,35 @@ TEST(BarrierLoad, HoldsWhatTheContactRuleTakes) {
   EXPECT_NEAR(moment / force, height, 0.01);
 }
 
+// Strips of the window with the largest mean force, wherever the run goes on to.
+TEST(LoadGauge, KeepsTheStripsOfTheDesignWindow) {
+  LoadGauge gauge(1, windows);
+  double time = 0.0;
+  const auto hit = [&](double low, double high) {
+    time += 0.05;
+    gauge.observe({{{low + high, 0.0}, 0.0}, {}}, 0.05, time, {{low, 0.0}, {high, 0.0}});
+  };
+  hit(1.0, 0.0);
+  hit(3.0, 1.0);
+  hit(2.0, 4.0);  // with the one before: 5 and 5 N s/m in 0.1 s
+  hit(0.5, 0.5);
+  const BarrierLoads& loads = gauge.loads()[0];
+  EXPECT_NEAR(loads.peak[design_window].force, 100.0, 1e-9);
+  EXPECT_NEAR(loads.design_time, 0.1, 1e-12);
+  ASSERT_EQ(loads.design_strips.size(), 2u);
+  EXPECT_NEAR(loads.design_strips[0].x, 50.0, 1e-9);
+  EXPECT_NEAR(loads.design_strips[1].x, 50.0, 1e-9);
+}
+
+TEST(LoadAxis, HasAStripForEachWallPointAndTakesInWhatIsPastItsEnds) {
+  const LoadAxis axis{{1.0, 0.0}, {0.0, 1.0}, 0.1};
+  EXPECT_EQ(axis.strips(0.01), 10);
+  EXPECT_EQ(axis.strips(0.03), 4) << "the last one is shorter";
+  EXPECT_EQ(axis.strip({1.2, 0.055}, 0.01), 5);
+  EXPECT_EQ(axis.strip({1.0, -0.02}, 0.01), 0);
+  EXPECT_EQ(axis.strip({1.0, 0.3}, 0.03), 3);
+  EXPECT_EQ((LoadAxis{{}, {1.0, 0.0}, 0.0}.strip({0.0, 0.0}, 0.01)), -1) << "no strips";
+}
+
 }  // namespace
 }  // namespace parapet::solver

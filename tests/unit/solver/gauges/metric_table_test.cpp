@@ -26,6 +26,7 @@ BarrierReadings hit_barrier(double retained) {
   barrier.load_height = 0.06;
   barrier.impulse = 60.0;
   barrier.at_rest = BarrierLoad{{30.0, -40.0}, 1.0};
+  barrier.approach = Approach{2.0, 0.05};
   return barrier;
 }
 
@@ -36,6 +37,7 @@ RunReadings open_channel() {
   run.particles = 2400.0;
   run.gravity = 9.81;
   run.slope = 0.4;
+  run.density = 1000.0;
   run.released_volume = 0.06;
   run.front = {0.8, 2.0};
   run.energy = EnergyPhases{4.0, 1.0, EnergyPhases::Rise{1.0, 2.0}, 3.0};
@@ -85,6 +87,7 @@ std::vector<RunReadings> runs_of_every_kind() {
   RunReadings early = two_barriers();
   early.instant = InstantReadings{};
   early.barriers[0].impulse.reset();
+  early.barriers[0].approach = Approach{};  // without barriers the flow stops before it
   runs.push_back(early);
   const Ramp coarse_ramp{.angle = {}, .too_coarse = true};
   early.instant->ramp = coarse_ramp;
@@ -205,6 +208,9 @@ TEST(MetricTable, GaugesReadWhatTheirEntriesDefine) {
   EXPECT_EQ(value("barrier_1_deflector_design_force_n_per_m"), 40.0);
   EXPECT_EQ(value("barrier_1_design_load_height_m"), 0.06);
   EXPECT_EQ(value("barrier_1_impulse_n_s_per_m"), 60.0);
+  EXPECT_DOUBLE_EQ(value("barrier_1_hydrodynamic_coefficient"), 150.0 / (1000.0 * 4.0 * 0.05));
+  EXPECT_DOUBLE_EQ(value("barrier_1_hydrostatic_coefficient"),
+                   150.0 / (0.5 * 1000.0 * 9.81 * 0.05 * 0.05));
   EXPECT_DOUBLE_EQ(value("barrier_1_static_force_n_per_m"), 50.0);
   EXPECT_EQ(value("launch_tip_x_m"), 1.7);
   EXPECT_EQ(value("launch_tip_landed"), 0.0);

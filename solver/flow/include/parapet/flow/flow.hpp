@@ -39,6 +39,15 @@ class StageTimer;
 class TimeIntegrator;
 class ViscousSolve;
 
+/// Along what the load on a load cell is told apart, in strips of one particle spacing. What acts
+/// before its start or past its end counts for the strip there.
+struct LoadAxis {
+  Vec2 start, direction;                        ///< [m], unit vector
+  double length = 0.0;                          ///< [m]; 0: not told apart
+  int strips(double spacing) const;             ///< the last one may be shorter
+  int strip(Vec2 place, double spacing) const;  ///< of a place; -1 without strips
+};
+
 /// Everything that defines a flow. channel_setup (channel.hpp) makes one from a scene, add_wall and
 /// add_periodic_wall (walls.hpp) and add_outline (geometry.hpp) put solids into it.
 struct FlowSetup {
@@ -56,12 +65,13 @@ struct FlowSetup {
   bool adapt_sound_speed = false;
   /// The one that the densities of the particles belong to [m/s]; 0: numerics.sound_speed.
   double start_sound_speed = 0.0;
-  double periodic_length = 0.0;       ///< along x, from 0 [m]; 0: not periodic
-  double outlet_x = 1e9;              ///< material beyond it has left [m]
-  double ceiling_z = 1e9;             ///< material above it has left [m]
-  const PassTable* passes = nullptr;  ///< of numerics.scheme; nullptr: the fastest
-  int threads = 1;                    ///< the answer does not depend on it
-  StageTimer* timer = nullptr;        ///< is told what the time goes into; may be nullptr
+  double periodic_length = 0.0;          ///< along x, from 0 [m]; 0: not periodic
+  double outlet_x = 1e9;                 ///< material beyond it has left [m]
+  double ceiling_z = 1e9;                ///< material above it has left [m]
+  const PassTable* passes = nullptr;     ///< of numerics.scheme; nullptr: the fastest
+  int threads = 1;                       ///< the answer does not depend on it
+  StageTimer* timer = nullptr;           ///< is told what the time goes into; may be nullptr
+  std::vector<LoadAxis> load_axes = {};  ///< of the first so many load cells
 };
 
 /// Everything wrong with a setup's particles, faces and threads, one sentence each; empty when they
@@ -130,6 +140,9 @@ class Flow {
   double released_mass() const { return released_mass_; }  ///< of all particles at release [kg/m]
   /// Reads and clears the impulses since the last call, one for each load cell.
   std::vector<BarrierImpulse> take_impulses();
+  /// The same forces by strip of the load axes: the strips of the first load cell, then those of
+  /// the next, and so on [N s/m].
+  std::vector<Vec2> take_strip_impulses();
   /// Number of particles inside a solid body, below the bed or behind the back wall.
   int particles_inside_walls() const;
   /// Brings pressure (and, before the first step, viscosity) up to date with the state.
@@ -180,6 +193,7 @@ class Flow {
   std::optional<Failure> check_state();
   void follow_flow();
   void stop_at_walls();
+  void add_to_strip(int load_cell, Vec2 place, Vec2 impulse);
   FlowArrays packed_arrays();                   // with the records as they are
   void pack(void (Fluid::*records)(int, int));  // brings some of them up to date
   void remove_departed();
@@ -196,6 +210,8 @@ class Flow {
   std::unique_ptr<ViscousSolve> viscous_;
   std::unique_ptr<TimeIntegrator> integrator_;
   std::vector<BarrierImpulse> impulses_;
+  std::vector<int> first_strip_;      // [n_load_axes] of each
+  std::vector<Vec2> strip_impulses_;  // [n_strips]
   std::vector<Departure> departures_;
   std::vector<double> x_before_, z_before_, u_before_, w_before_;
   FlowProgress now_;

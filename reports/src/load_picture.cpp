@@ -1,0 +1,44 @@
+#include "parapet/reports/load_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "parapet/reports/line_plot.hpp"
+
+namespace parapet::reports {
+
+bool acts_on_barriers(const solver::Result& result) {
+  return std::ranges::any_of(
+      result.loads, [](const solver::LoadProfile& profile) { return profile.window_end >= 0.0; });
+}
+
+void draw_load_profiles(const std::filesystem::path& path, const std::string& name,
+                        const solver::Result& result) {
+  LinePlot plot;
+  plot.title = name + ": pressure while the design load acts";
+  plot.x_label = "pressure [kPa]";
+  plot.y_label = "from the foot of the stem, or the crest [m]";
+  for (const solver::LoadProfile& profile : result.loads) {
+    if (profile.window_end < 0.0) continue;
+    PlotSeries series;
+    series.label = fmt::format("{} {}, {:.3g} to {:.3g} s: {:.3g} N/m",
+                               profile.deflector ? "deflector" : "stem", profile.barrier,
+                               profile.window_end - profile.window, profile.window_end,
+                               profile.normal_force());
+    if (profile.deflector) series.style = SeriesStyle::dashed;
+    series.color = profile.barrier - 1;
+    for (std::size_t k = 0; k < profile.pressure.size(); ++k) {
+      for (const std::size_t end : {k, k + 1}) {
+        series.x.push_back(1e-3 * profile.pressure[k]);
+        series.y.push_back(profile.edge[end]);
+      }
+    }
+    plot.series.push_back(std::move(series));
+  }
+  plot.width_px = 800;
+  plot.height_px = 520;
+  draw_line_plot(path, plot);
+}
+
+}  // namespace parapet::reports
