@@ -109,8 +109,7 @@ int approach_command(const Session& session, const ApproachOptions& options) {
   json["k"] = optional_json(c.k);
   json["warnings"] = {{"undisturbed", records::warnings_json(open.warnings)},
                       {"with_barrier", records::warnings_json(hit.warnings)}};
-  json["provenance"] =
-      records::provenance_json(session.program, records::case_hash(spec), spec.numerics);
+  json["provenance"] = records::provenance_json(session.program, records::case_hash(spec), spec);
   const std::filesystem::path folder = output_folder(options, spec.name, "approach");
   std::filesystem::create_directories(folder);
   records::write_file_atomically(folder / "approach.json", records::json_text(json));

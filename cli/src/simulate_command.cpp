@@ -89,7 +89,7 @@ solver::Result run_with_uncertainty(const Session& session, const designs::CaseS
 void write_result(const Session& session, const designs::CaseSpec& spec,
                   const solver::Result& result, int threads, const std::filesystem::path& folder) {
   const designs::Json provenance =
-      records::provenance_json(session.program, records::case_hash(spec), spec.numerics);
+      records::provenance_json(session.program, records::case_hash(spec), spec);
   records::write_file_atomically(folder / "series.csv", records::series_csv(result.series));
   records::write_file_atomically(folder / "result.json",
                                  records::json_text(records::result_json(

@@ -43,7 +43,8 @@ struct Vortices {
   double time;              // simulated [s]
   double shifting = 1.0;    // factor of Eq. 9
   bool lattice = false;     // starts from a square lattice instead of settled particles
-  double smoothing = 1.33;  // h/dx
+  double smoothing = 1.33;  // h/dx; the default is that of the fluid (thin_fluid.hpp)
+  bool own = true;          // with the settings for thin fluids where they apply
 };
 
 double decay_rate(double reynolds) {
@@ -70,6 +71,7 @@ FlowSetup box(const Vortices& v) {
   setup.numerics.spacing = dx;
   setup.numerics.sound_speed = sound_speed;
   setup.numerics.smoothing_ratio = v.smoothing;
+  if (!v.own) setup.numerics.thin_fluid = solver::ThinFluid::off;
   setup.numerics.cg_tolerance = 1e-4;
   setup.numerics.shifting_factor = v.shifting;
   setup.material.density = density;
@@ -148,8 +150,9 @@ Decay computed(const Vortices& v, const CaseRun& run) {
 }
 
 std::string in_words(const Vortices& v) {
-  return fmt::format("{} across{}{}{}", v.across, v.shifting > 0.0 ? "" : ", no shifting",
-                     v.lattice ? ", from a lattice" : "", v.smoothing > 1.4 ? ", h = 2 dx" : "");
+  return fmt::format("{} across{}{}{}{}", v.across, v.shifting > 0.0 ? "" : ", no shifting",
+                     v.lattice ? ", from a lattice" : "", v.smoothing > 1.4 ? ", h = 2 dx" : "",
+                     v.own ? "" : ", settings of debris");
 }
 
 void draw_decay(CaseRun& run, const std::vector<Vortices>& flows, const std::vector<Decay>& decays,
@@ -180,7 +183,8 @@ void draw_particles(CaseRun& run, const std::vector<Vortices>& flows,
   ParticlePicture picture;
   for (std::size_t k = 0; k < flows.size(); ++k) {
     const Vortices& v = flows[k];
-    if (v.reynolds < 500.0 || v.lattice || v.smoothing > 1.4 || v.across != flows.back().across)
+    if (v.reynolds < 500.0 || v.lattice || !v.own || v.smoothing > 1.4 ||
+        v.across != flows.back().across)
       continue;
     picture.panels.push_back(decays[k].panel);
     picture.title = fmt::format("Re {}, {} across, t = {} L/U", v.reynolds, v.across, v.time);
@@ -195,11 +199,18 @@ void draw_particles(CaseRun& run, const std::vector<Vortices>& flows,
 
 // Rows of one flow without limits.
 void add_contrast(CaseRun& run, const Vortices& v, const Decay& d, const std::string& key) {
-  run.add({.key = fmt::format("rate_{}", key),
-           .what = fmt::format("Re {}: decay rate over the exact one less 1, {}", v.reynolds,
-                               in_words(v)),
-           .value = 100.0 * d.rate_error,
-           .unit = "%"});
+  Measure rate{.key = fmt::format("rate_{}", key),
+               .what = fmt::format("Re {}: decay rate over the exact one less 1, {}", v.reynolds,
+                                   in_words(v)),
+               .value = 100.0 * d.rate_error,
+               .unit = "%"};
+  if (v.reynolds > 500.0 && v.lattice && v.own && v.across == 50) {
+    rate.upper = 16.0;
+    rate.reason =
+        "EDAC with a transport velocity (Ramachandran and Puri 2019, in PySPH) from the same "
+        "lattice, which conserves no momentum";
+  }
+  run.add(rate);
 }
 
 void add_rows(CaseRun& run, std::span<const Vortices> flows, std::span<const Decay> decays) {
@@ -310,6 +321,8 @@ void taylor_green(CaseRun& run) {
     flows.push_back({reynolds, across, time, 0.0});
     flows.push_back({reynolds, across, time, 1.0, true});
     flows.push_back({reynolds, across, time, 1.0, false, 2.0});
+    flows.push_back({reynolds, across, time, 1.0, false, 1.33, false});
+    flows.push_back({reynolds, across, time, 1.0, true, 1.33, false});
     if (per_reynolds == 0) per_reynolds = flows.size();
   }
   for (const Vortices& v : flows) cost.push_back(2e-5 * std::pow(v.across, 3) * v.time);
@@ -318,10 +331,10 @@ void taylor_green(CaseRun& run) {
       flows.size(), [&](std::size_t k) { decays[k] = computed(flows[k], run); }, cost);
   for (const std::size_t first : {per_reynolds, std::size_t{0}}) {
     add_rows(run, {&flows[first], per_reynolds}, {&decays[first], per_reynolds});
-    const std::size_t other = first + per_reynolds - 3;
+    const std::size_t other = first + per_reynolds - 5;
     const int re = static_cast<int>(flows[first].reynolds);
-    const char* keys[] = {"no_shifting", "lattice", "wide_kernel"};
-    for (std::size_t k = 0; k < 3; ++k)
+    const char* keys[] = {"no_shifting", "lattice", "wide_kernel", "debris", "debris_lattice"};
+    for (std::size_t k = 0; k < (re > 500 ? 5 : 3); ++k)
       add_contrast(run, flows[other + k], decays[other + k], fmt::format("{}_{}", keys[k], re));
     // the same spacing with and without
     std::size_t same = first;
