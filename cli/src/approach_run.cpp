@@ -34,7 +34,7 @@ designs::Json write_approach(const Session& session, const designs::CaseSpec& sp
                              const solver::Result* with_barriers,
                              const std::filesystem::path& folder) {
   const designs::Json provenance =
-      records::provenance_json(session.program, records::case_hash(spec), spec.numerics);
+      records::provenance_json(session.program, records::case_hash(spec), spec);
   designs::Json json = records::approach_file_json(spec, open, with_barriers, provenance);
   records::write_file_atomically(folder / "approach.json", records::json_text(json));
   return json;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "duration_text.hpp"
+#include "parapet/solver/thin_fluid.hpp"
 #include "parapet/study/expected_cost.hpp"
 #include "parapet/study/problem.hpp"
 #include "session.hpp"
@@ -38,8 +39,20 @@ std::string cost_line(const study::CaseCost& cost) {
 constexpr const char* usual_end =
     "  these are runs until no metric changes any more; slow debris may need up to the stop time\n";
 
+/// What a thin fluid gets in place of defaults; empty for debris.
+std::string thin_text(const designs::CaseSpec& spec) {
+  const double cell = solver::cell_reynolds_number(spec.numerics, spec.scene.material);
+  if (!solver::is_thin(spec.numerics, spec.scene.material)) return "";
+  return fmt::format(
+      "  a thin fluid: cell Reynolds number {:.2g}, {:g} or more; its own settings apply, among "
+      "them "
+      "a smoothing ratio of {:g} (numerics.thin_fluid)\n",
+      cell, solver::thin_cell_reynolds_number,
+      solver::numerics_for(spec.numerics, spec.scene.material).smoothing_ratio);
+}
+
 std::string cost_text(const designs::CaseSpec& spec) {
-  return cost_line(study::case_cost(spec)) + usual_end;
+  return thin_text(spec) + cost_line(study::case_cost(spec)) + usual_end;
 }
 
 std::string cost_text(const designs::StudySpec& study) {

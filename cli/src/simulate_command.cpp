@@ -91,7 +91,7 @@ solver::Result run_with_uncertainty(const Session& session, const designs::CaseS
 void write_result(const Session& session, const designs::CaseSpec& spec,
                   const solver::Result& result, int threads, const std::filesystem::path& folder) {
   const designs::Json provenance =
-      records::provenance_json(session.program, records::case_hash(spec), spec.numerics);
+      records::provenance_json(session.program, records::case_hash(spec), spec);
   records::write_file_atomically(folder / "series.csv", records::series_csv(result.series));
   if (!result.loads.empty()) {
     records::write_file_atomically(folder / "pressure.csv", records::load_profiles_csv(result));

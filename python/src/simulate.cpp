@@ -123,7 +123,7 @@ py::bytes raw(const std::vector<Number>& values) {
 
 py::dict answer_of(const CaseSpec& spec, const Run& run, int threads) {
   const Json provenance =
-      records::provenance_json(cli::program_info(), records::case_hash(spec), spec.numerics);
+      records::provenance_json(cli::program_info(), records::case_hash(spec), spec);
   std::vector<double> table;
   for (const auto& row : run.result.series.rows) table.insert(table.end(), row.begin(), row.end());
   py::list frames;

@@ -1,6 +1,7 @@
 #include "parapet/records/provenance.hpp"
 
 #include "parapet/records/hashes.hpp"
+#include "parapet/solver/thin_fluid.hpp"
 
 namespace parapet::records {
 
@@ -25,10 +26,11 @@ designs::Json provenance_json(const ProgramInfo& program, const std::string& spe
 }
 
 designs::Json provenance_json(const ProgramInfo& program, const std::string& spec_hash,
-                              const solver::Numerics& numerics) {
+                              const designs::CaseSpec& spec) {
   designs::Json json = provenance_json(program, spec_hash);
-  json["spacing_m"] = numerics.spacing;
-  json["integrator"] = integrator_name(numerics.integrator);
+  json["spacing_m"] = spec.numerics.spacing;
+  json["integrator"] = integrator_name(spec.numerics.integrator);
+  if (solver::is_thin(spec.numerics, spec.scene.material)) json["thin_fluid"] = true;
   return json;
 }
 

@@ -131,7 +131,7 @@ std::string csv_of(const Json& series) {
 
 void write_finished_row(const std::filesystem::path& folder, const designs::SweepRow& row,
                         const Simulation& simulation, const ProgramInfo& program) {
-  const Json provenance = provenance_json(program, case_hash(row.spec), row.spec.numerics);
+  const Json provenance = provenance_json(program, case_hash(row.spec), row.spec);
   const Json series =
       simulation.report.is_object() ? simulation.report.value("series", Json()) : Json();
   write_file_atomically(folder / (row.id + ".csv"), csv_of(series));

@@ -7,6 +7,7 @@
 #include "parapet/flow/geometry.hpp"
 #include "parapet/flow/rheology.hpp"
 #include "parapet/flow/time_step.hpp"
+#include "parapet/solver/thin_fluid.hpp"
 
 namespace parapet::solver {
 namespace {
@@ -45,11 +46,12 @@ double usual_end(const Scene& scene, const RunOptions& options) {
 }
 
 double expected_step(const Scene& scene, const Numerics& numerics) {
-  const bool is_explicit = numerics.integrator == Integrator::rk4_explicit;
-  const double own_cfl = is_explicit ? 0.6 : 1.0;
+  const bool rk4 = numerics.integrator == Integrator::rk4_explicit;
+  const bool thin = is_thin(numerics, scene.material), is_explicit = rk4 || thin;
+  const double own_cfl = rk4 ? 0.6 : thin ? 0.5 : 1.0;
   // as Flow follows the flow, at the speed of its fast times
   Numerics fast = numerics;
-  if (!is_explicit && numerics.scheme == Scheme::corrected) {
+  if (!rk4 && numerics.scheme == Scheme::corrected) {
     constexpr double fastest = 2.5;
     const double wanted = sound_over_flow * fastest * usual_speed(scene);
     fast.sound_speed =
@@ -72,8 +74,8 @@ double expected_step(const Scene& scene, const Numerics& numerics) {
 
 }  // namespace
 
-ExpectedCost expected_cost(const Scene& scene, const Numerics& numerics,
-                           const RunOptions& options) {
+ExpectedCost expected_cost(const Scene& scene, const Numerics& given, const RunOptions& options) {
+  const Numerics numerics = numerics_for(given, scene.material);
   ExpectedCost cost;
   const double dx = numerics.spacing;
   cost.particles = scene.reservoir_length * scene.reservoir_height / (dx * dx);

@@ -10,6 +10,7 @@
 #include "parapet/flow/shifting.hpp"
 #include "parapet/flow/stage_timer.hpp"
 #include "parapet/flow/time_step.hpp"
+#include "parapet/solver/thin_fluid.hpp"
 #include "time_integrator.hpp"
 #include "viscous_solve.hpp"
 
@@ -29,22 +30,27 @@ FlowSetup checked(FlowSetup setup) {
   std::string text;
   for (const std::string& error : setup_errors(setup)) text += (text.empty() ? "" : "; ") + error;
   if (!text.empty()) throw std::invalid_argument(text);
+  setup.numerics = numerics_for(setup.numerics, setup.material);
   return setup;
+}
+
+std::unique_ptr<TimeIntegrator> integrator_for(const Numerics& numerics, bool thin) {
+  if (numerics.integrator == Integrator::rk4_explicit) return make_rk4_explicit();
+  return thin ? make_midpoint() : make_implicit_viscosity(numerics.steps_per_solve);
 }
 
 }  // namespace
 
 Flow::Flow(FlowSetup setup)
     : setup_(checked(std::move(setup))),
+      thin_(is_thin(setup_.numerics, setup_.material)),
       passes_(setup_.passes ? *setup_.passes : best_passes(setup_.numerics.scheme)),
       walls_(lay_out_walls(setup_.solids, setup_.numerics.spacing, 2.0 * smoothing_length())),
       rows_(setup_.solids, walls_, 2.0 * smoothing_length(),
             setup_.numerics.skin_ratio * smoothing_length(),
             as_published() ? 0.0 : setup_.numerics.spacing, setup_.periodic_length, &passes_),
       viscous_(std::make_unique<ViscousSolve>()),
-      integrator_(setup_.numerics.integrator == Integrator::rk4_explicit
-                      ? make_rk4_explicit()
-                      : make_implicit_viscosity(setup_.numerics.steps_per_solve)),
+      integrator_(integrator_for(setup_.numerics, thin_)),
       impulses_(at(setup_.n_barriers)) {
   int strips = 0;
   for (const LoadAxis& axis : setup_.load_axes) {

@@ -1,4 +1,5 @@
-// Reference time integration: the classic fourth-order Runge-Kutta scheme over all of Eq. 6.
+// Explicit Runge-Kutta schemes over all of Eq. 6: the classic one of fourth order, which is the
+// reference, and the midpoint rule, with which thin fluids are computed.
 #include "parapet/flow/index.hpp"
 #include "time_integrator.hpp"
 
@@ -12,9 +13,24 @@ struct State {
 #undef PARAPET_ARRAY
 };
 
-class Rk4Explicit final : public TimeIntegrator {
+// Stages one after the other: each starts from the state before the step with the slope of the one
+// before it, and the step takes their weighted mean.
+struct Stages {
+  int count;
+  double to_next[4];  // share of the step from the start to the next stage
+  double weight[4];
+  int load_stage;  // whose forces the loads on the walls are taken from
+  double acoustic_cfl;
+};
+
+constexpr Stages rk4{4, {0.5, 0.5, 1.0, 0.0}, {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}, 0, 0.6};
+constexpr Stages midpoint{2, {0.5, 0.0}, {0.0, 1.0}, 1, 0.5};
+
+class RungeKutta final : public TimeIntegrator {
  public:
-  double default_acoustic_cfl() const override { return 0.6; }
+  explicit RungeKutta(const Stages& scheme) : scheme_(scheme) {}
+
+  double default_acoustic_cfl() const override { return scheme_.acoustic_cfl; }
   bool explicit_viscosity() const override { return true; }
 
   std::optional<Failure> advance(Flow& flow, double dt) override {
@@ -25,17 +41,15 @@ class Rk4Explicit final : public TimeIntegrator {
   sum_.name.assign(n + 1, 0.0);
     PARAPET_STATE_FIELDS(PARAPET_START)
 #undef PARAPET_START
-    static constexpr double next_stage[] = {0.5, 0.5, 1.0, 0.0};
-    static constexpr double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
-    for (int stage = 0; stage < 4; ++stage) {
+    for (int stage = 0; stage < scheme_.count; ++stage) {
       if (stage > 0) {
         flow.find_reached_pairs();
         flow.update_pressure();
       }
       derive(flow, dt);
-      if (stage == 0) flow.measure_barrier_load(dt);
-      add_to_sum(weight[stage], n);
-      if (stage < 3) place(f, slope_, next_stage[stage] * dt, n);
+      if (stage == scheme_.load_stage) flow.measure_barrier_load(dt);
+      add_to_sum(scheme_.weight[stage], n);
+      if (stage + 1 < scheme_.count) place(f, slope_, scheme_.to_next[stage] * dt, n);
     }
     place(f, sum_, dt, n);
     return std::nullopt;
@@ -83,13 +97,18 @@ class Rk4Explicit final : public TimeIntegrator {
     }
   }
 
+  const Stages& scheme_;
   State start_, slope_, sum_;
 };
 
 }  // namespace
 
 std::unique_ptr<TimeIntegrator> make_rk4_explicit() {
-  return std::make_unique<Rk4Explicit>();
+  return std::make_unique<RungeKutta>(rk4);
+}
+
+std::unique_ptr<TimeIntegrator> make_midpoint() {
+  return std::make_unique<RungeKutta>(midpoint);
 }
 
 }  // namespace parapet::solver

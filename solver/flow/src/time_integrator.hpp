@@ -1,4 +1,4 @@
-// The two time integrations behind one interface.
+// The time integrations behind one interface.
 #pragma once
 
 #include <memory>
@@ -24,5 +24,6 @@ class TimeIntegrator {
 
 std::unique_ptr<TimeIntegrator> make_implicit_viscosity(int steps_per_solve);
 std::unique_ptr<TimeIntegrator> make_rk4_explicit();
+std::unique_ptr<TimeIntegrator> make_midpoint();  // for thin fluids
 
 }  // namespace parapet::solver

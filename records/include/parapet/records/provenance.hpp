@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "parapet/designs/case_spec.hpp"
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/records/program_info.hpp"
 
@@ -23,10 +24,10 @@ std::string compiler_name();
 /// sweep.
 designs::Json provenance_json(const ProgramInfo& program, const std::string& spec_hash);
 
-/// The same with spacing_m and integrator of one simulation. The number of threads is left out on
-/// purpose: no result depends on it.
+/// The same with spacing_m and integrator of one simulation, and thin_fluid where its settings
+/// apply. The number of threads is left out on purpose: no result depends on it.
 designs::Json provenance_json(const ProgramInfo& program, const std::string& spec_hash,
-                              const solver::Numerics& numerics);
+                              const designs::CaseSpec& spec);
 
 /// Provenance of what a study writes: the first form with the study's hash, and its seed.
 designs::Json study_provenance(const designs::StudySpec& study, const ProgramInfo& program);

@@ -51,7 +51,7 @@ struct LoadAxis {
 /// Everything that defines a flow. channel_setup (channel.hpp) makes one from a scene, add_wall and
 /// add_periodic_wall (walls.hpp) and add_outline (geometry.hpp) put solids into it.
 struct FlowSetup {
-  Numerics numerics;
+  Numerics numerics;  ///< what a thin fluid gets in place of defaults (thin_fluid.hpp) Flow adds
   Material material;
   Vec2 gravity;  ///< [m/s2]
   /// A^2 of a force -A^2 r towards the origin beside gravity, for drops without walls: the pressure
@@ -132,6 +132,7 @@ class Flow {
   double smoothing_length() const;                        ///< h [m]
   bool inviscid() const;                                  ///< neither yield stress nor consistency
   bool as_published() const;                              ///< the scheme
+  bool thin() const { return thin_; }                     ///< has the settings of thin_fluid.hpp
   int threads() const { return setup_.threads; }          ///< of the setup
 
   /// All that have left, in the order in which they left.
@@ -199,6 +200,7 @@ class Flow {
   void remove_departed();
 
   FlowSetup setup_;
+  const bool thin_;
   const PassTable& passes_;
   Kernel kernel_;  // its gradient is exact on a square lattice, but for as_published
   WallPoints walls_;

@@ -1,0 +1,29 @@
+/// Fluids so thin that viscosity does not act from particle to particle, such as water, and the
+/// settings that they are computed with (docs/theory.md, "Thin fluids").
+#pragma once
+
+#include "parapet/solver/numerics.hpp"
+#include "parapet/solver/scene.hpp"
+
+namespace parapet::solver {
+
+/// Cell Reynolds number rho U dx/eta: U = c_s/10 is the largest speed that the numerics expect,
+/// eta the material's largest viscosity (at the cut-off, or at U/dx where shear thickens it).
+/// Infinite without viscosity, 0 where friction makes the viscosity grow with the pressure.
+double cell_reynolds_number(const Numerics& numerics, const Material& material);
+
+/// From this cell Reynolds number on a fluid counts as thin.
+constexpr double thin_cell_reynolds_number = 5.0;
+
+/// Whether the fluid is computed with the settings for thin fluids: the corrected scheme,
+/// thin_fluid not off, and a cell Reynolds number of at least thin_cell_reynolds_number.
+bool is_thin(const Numerics& numerics, const Material& material);
+
+/// The support of the kernel for thin fluids, h/dx; in place of the default alone.
+constexpr double thin_smoothing_ratio = 1.5;
+
+/// The numerics with the smoothing ratio that the fluid gets: a thin one has thin_smoothing_ratio
+/// unless it was set to other than the default.
+Numerics numerics_for(Numerics numerics, const Material& material);
+
+}  // namespace parapet::solver
