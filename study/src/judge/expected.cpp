@@ -186,7 +186,9 @@ Expectation expectation(const StudySpec& study, const Goal& goal, const DesignRu
     if (value) result.estimate = exact_estimate(*value);
     return result;
   }
-  result.estimate = repeat_estimate(evidence);
+  // No run of the design has it: the surrogates, which know it from others, say nothing of a repeat.
+  const bool none = present == 0 && result.absent > 0;
+  if (!none) result.estimate = repeat_estimate(evidence);
   if (result.role != Role::constraint) return result;
   const double without = goal.satisfied_when_absent ? 1.0 : 0.0;
   const int all = present + result.absent;
@@ -196,7 +198,7 @@ Expectation expectation(const StudySpec& study, const Goal& goal, const DesignRu
                           : std::nullopt;
   if (within) {
     result.probability = absent_share * without + (1.0 - absent_share) * *within;
-  } else if (present == 0 && result.absent > 1) {
+  } else if (none && (belief || result.absent > 1)) {
     result.probability = without;
   }
   return result;

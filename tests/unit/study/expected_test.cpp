@@ -98,6 +98,21 @@ TEST(Expected, LoadsHaveSurrogatesToo) {
   EXPECT_NEAR(force.mean, 1000.0 * (0.6 + 0.2 * 6.0 / 11.0), 10.0);
 }
 
+// Over a barrier that holds everything nothing lands; what the launch of other designs says of this
+// one's is no estimate of it.
+TEST(Expected, WhatNoRunOfTheDesignHasIsNotEstimatedFromOthers) {
+  TaughtStudy taught = noisy_study();
+  taught.teach();
+  solver::Metric& launch = taught.study.designs[6].metrics[1];
+  launch.value.reset();
+  launch.absence = solver::Absence::does_not_exist;
+  const auto list = study::repeat_expectations(taught.study, taught.study.designs[6]);
+  const Expectation& limit = of(list, Role::constraint);
+  EXPECT_EQ(limit.absent, 1);
+  EXPECT_FALSE(limit.estimate.has_value());
+  EXPECT_EQ(limit.probability, 1.0);
+}
+
 // Where two spacings agree by chance nothing has converged: the difference passes through 0 there.
 TEST(Expected, GridUncertaintyIsThatOfTheStudyAtLeast) {
   TaughtStudy taught({0.01, 0.02}, 0.5, 0.002, 0.002);
