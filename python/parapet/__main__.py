@@ -45,7 +45,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--tls-ca", metavar="FILE", help="certificate of the authority; then all traffic is encrypted")
     add("--tls-cert", metavar="FILE", help="own certificate")
     add("--tls-key", metavar="FILE", help="own key")
-    add("-j", "--jobs", metavar="N", type=int, help="simulations under way (default: the threads; from 16 on a quarter more)")
+    add("-j", "--jobs", metavar="N", type=int, help="simulations under way (default: the threads; from 16 on half more)")
     return parser
 
 

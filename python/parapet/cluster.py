@@ -36,11 +36,11 @@ MANY_THREADS = 16
 
 
 def places_for(threads: int) -> int:
-    """Simulations under way for workers of so many threads: a quarter more where they are many.
+    """Simulations under way for workers of so many threads: half as many more where they are many.
 
     A worker then finds its next task there, whatever the asker is doing meanwhile.
     """
-    return threads if threads < MANY_THREADS else threads + threads // 4
+    return threads if threads < MANY_THREADS else threads + threads // 2
 
 
 class ClusterLost(RuntimeError):

@@ -97,10 +97,10 @@ class TaskProcesses(unittest.TestCase):
 
 @unittest.skipIf(distributed is None, "python3-distributed is not installed")
 class Places(unittest.TestCase):
-    def test_few_workers_get_as_many_simulations_and_many_a_quarter_more(self) -> None:
+    def test_few_workers_get_as_many_simulations_and_many_half_more(self) -> None:
         from parapet.cluster import places_for
 
-        self.assertEqual([places_for(n) for n in (1, 4, 15, 16, 200)], [1, 4, 15, 20, 250])
+        self.assertEqual([places_for(n) for n in (1, 4, 15, 16, 200)], [1, 4, 15, 24, 300])
 
 
 @unittest.skipIf(distributed is None, "python3-distributed is not installed")

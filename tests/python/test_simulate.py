@@ -96,6 +96,12 @@ class Simulate(tiny.InFolder):
         paths = tree.findall("{http://www.w3.org/2000/svg}path")
         self.assertEqual(len(paths), 2 + len(case.barriers))
 
+    def test_a_notebook_shows_a_table_of_the_metrics_and_the_drawing(self) -> None:
+        result = pp.simulate(tiny.CASE, frames=0)
+        shown = result._repr_html_()
+        self.assertIn("<svg", shown)
+        self.assertEqual(shown.count("<tr>"), len(result.metrics))
+
     def test_other_threads_go_on(self) -> None:
         count = 0
         ended = threading.Event()

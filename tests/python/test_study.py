@@ -141,6 +141,20 @@ class Stream(tiny.InFolder):
         remote = self.ask(["sh", "-c", words])
         self.assertEqual(tiny.without_times(remote), tiny.without_times(direct))
 
+    def test_a_shell_pipe_gets_a_record_for_each_line(self) -> None:
+        lines = "".join(
+            json.dumps({"id": f"a{angle}", "design": {**tiny.DESIGN, "deflector_angle_deg": angle}}) + "\n"
+            for angle in (10, 20, 1000)  # the last one is out of bounds
+        )
+        self.write("designs.jsonl", lines)
+        words = f"cat designs.jsonl | {tiny.program()} evaluate study.json --stdin-jsonl --jobs 2 --quiet | cat > records.jsonl"
+        tiny.run("sh", "-c", words, cwd=self.folder)
+        records = [json.loads(line) for line in (self.folder / "records.jsonl").read_text().splitlines()]
+        self.assertEqual(sorted(record["id"] for record in records), ["a10", "a1000", "a20"])
+        wrong = next(record for record in records if record["id"] == "a1000")
+        self.assertIn("1000", json.dumps(wrong))
+        self.assertNotEqual(wrong.get("status"), "ok")
+
 
 class Types(unittest.TestCase):
     def test_the_package_is_typed(self) -> None:

@@ -52,10 +52,11 @@ bool EvaluationPool::step() {
   return true;
 }
 
-/// What needs no thought.
+/// What needs no thought. A limit of processor time counts what is in the log, so that comes first.
 void EvaluationPool::begin_at_once() {
+  const bool asks = source_.is_quick() && limits_.max_cpu_time <= 0.0;
   try {
-    while (place_free() && (!queue_.empty() || source_.is_quick()) && begin_next()) {
+    while (place_free() && (!queue_.empty() || asks) && begin_next()) {
     }
   } catch (...) {  // what has ended is to be stored all the same
     if (!failure_) failure_ = std::current_exception();
