@@ -30,7 +30,7 @@ TEST(Optimize, SimulatesTheEventWithoutBarriersOnce) {
   const TemporaryFolder folder;
   Json spec = tiny_study();
   spec["case"]["gauges"] = {{"depth_window_ratio", 1.0}, {"front_mass_share", 0.05}};
-  spec["method"]["max_evaluations"] = 4;
+  spec["method"]["max_evaluations"] = 8;
   folder.write("study.json", spec.dump());
   const std::vector<std::string> command{"optimize", "study.json", "--out", "out"};
   ASSERT_EQ(run_program(folder.path(), command).exit_code, 0);
