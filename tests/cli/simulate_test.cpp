@@ -40,6 +40,68 @@ TEST(Simulate, WritesResultAndSeries) {
   EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, "nan", series);
 }
 
+// With the run without barriers, the result says which coefficient of a hand formula gives its
+// load.
+TEST(Simulate, ComparesTheLoadWithTheUndisturbedFlow) {
+  const TemporaryFolder folder;
+  Json spec = tiny_case();
+  spec["gauges"] = {{"depth_window_ratio", 1.0}, {"front_mass_share", 0.05}};  // of 50 particles
+  folder.write("case.json", spec.dump());
+  const Outcome outcome =
+      run_program(folder.path(), {"simulate", "case.json", "--out", "out", "--approach"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_PRED_FORMAT2(IsSubstring, "alpha of alpha rho v^2 h ", outcome.out);
+  const Json result = Json::parse(file_text(folder / "out/result.json"));
+  const Json approach = Json::parse(file_text(folder / "out/approach.json"));
+  const Json& flow = approach["barriers"][0];
+  EXPECT_EQ(result["case"]["approach"][0]["flow_depth_max_m"], flow["flow_depth_max_m"]);
+  const double v = flow["front_velocity_m_s"].get<double>(),
+               h = flow["flow_depth_max_m"].get<double>();
+  const double force = result["metrics"]["barrier_1_design_force_n_per_m"].get<double>();
+  EXPECT_NEAR(result["metrics"]["barrier_1_hydrodynamic_coefficient"].get<double>(),
+              force / (1135.0 * v * v * h), 1e-9);
+  EXPECT_EQ(flow["hydrostatic_coefficient"],
+            result["metrics"]["barrier_1_hydrostatic_coefficient"]);
+  EXPECT_EQ(approach["profile"]["x_m"].size(), approach["profile"]["flow_depth_max_m"].size());
+  // without it they are absent, and nothing else is changed
+  ASSERT_EQ(run_program(folder.path(), {"simulate", "case.json", "--out", "out"}).exit_code, 0);
+  const Json plain = Json::parse(file_text(folder / "out/result.json"));
+  EXPECT_TRUE(plain["metrics"]["barrier_1_hydrodynamic_coefficient"].is_null());
+  EXPECT_EQ(plain["metrics"]["barrier_1_design_force_n_per_m"], force);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/approach.json")) << "of the run before";
+}
+
+TEST(Simulate, ApproachNeedsABarrier) {
+  const TemporaryFolder folder;
+  Json spec = tiny_case();
+  spec.erase("barriers");
+  folder.write("case.json", spec.dump());
+  const Outcome outcome = run_program(folder.path(), {"simulate", "case.json", "--approach"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_PRED_FORMAT2(IsSubstring, "there is no barrier to approach", outcome.err);
+}
+
+TEST(Simulate, WritesThePressuresOfTheDesignLoad) {
+  const TemporaryFolder folder;
+  folder.write("case.json", tiny_case().dump());
+  const Outcome outcome =
+      run_program(folder.path(), {"simulate", "case.json", "--out", "out", "--picture"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json result = Json::parse(file_text(folder / "out/result.json"));
+  ASSERT_EQ(result["loads"].size(), 2U) << "stem and deflector";
+  std::size_t strips = 0;
+  for (const Json& part : result["loads"]) {
+    double force = 0.0;
+    for (std::size_t k = 0; k < part["pressure_pa"].size(); ++k, ++strips) {
+      force += part["pressure_pa"][k].get<double>() *
+               (part["edge_m"][k + 1].get<double>() - part["edge_m"][k].get<double>());
+    }
+    EXPECT_NEAR(force, part["normal_force_n_per_m"].get<double>(), 1e-9);
+  }
+  EXPECT_EQ(line_count(folder / "out/pressure.csv"), strips + 1);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/pressure.png"));
+}
+
 TEST(Simulate, PrintsASummaryAndWithAllEveryMetric) {
   const TemporaryFolder folder;
   folder.write("case.json", tiny_case().dump());

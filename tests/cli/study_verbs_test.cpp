@@ -25,6 +25,29 @@ std::vector<Json> log_lines(const std::filesystem::path& file) {
   return lines;
 }
 
+// The event is simulated without barriers once; every design's load is compared with it.
+TEST(Optimize, SimulatesTheEventWithoutBarriersOnce) {
+  const TemporaryFolder folder;
+  Json spec = tiny_study();
+  spec["case"]["gauges"] = {{"depth_window_ratio", 1.0}, {"front_mass_share", 0.05}};
+  spec["method"]["max_evaluations"] = 8;
+  folder.write("study.json", spec.dump());
+  const std::vector<std::string> command{"optimize", "study.json", "--out", "out"};
+  ASSERT_EQ(run_program(folder.path(), command).exit_code, 0);
+  const auto lines = log_lines(folder / "out/evaluations.jsonl");
+  ASSERT_FALSE(lines.empty());
+  for (const Json& line : lines) {
+    EXPECT_GT(line["metrics"]["barrier_1_hydrodynamic_coefficient"].get<double>(), 0.0);
+  }
+  const auto written = std::filesystem::last_write_time(folder / "out/approach.json");
+  ASSERT_EQ(run_program(folder.path(), command).exit_code, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(folder / "out/approach.json"), written);
+  const Outcome same = run_program(folder.path(), {"verify", "out", "--all"});
+  EXPECT_EQ(same.exit_code, 0) << same.out;
+  const Outcome advice = run_program(folder.path(), {"recommend", "out", "--no-confirm"});
+  EXPECT_PRED_FORMAT2(IsSubstring, "## Loads against the hand formulas", advice.out);
+}
+
 TEST(Optimize, WritesTheWholeStudyFolder) {
   const TemporaryFolder folder;
   folder.write("study.json", tiny_study().dump());
