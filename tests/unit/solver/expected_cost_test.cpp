@@ -50,6 +50,26 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"Explicit", 0.025, 0.3, Integrator::rk4_explicit}),
     [](const auto& test) { return std::string(test.param.name); });
 
+// Water goes faster, with the steps of the settings for thin fluids.
+TEST(ExpectedCost, KnowsThinFluids) {
+  Scene scene;
+  scene.barriers = {Barrier{}};
+  scene.material = {.density = 1000.0, .yield_stress = 0.0, .consistency = 1e-3, .flow_index = 1.0};
+  Numerics numerics;
+  numerics.spacing = 0.025;
+  RunOptions options;
+  options.stop_time = 0.8;
+  options.settled.enabled = false;
+  const ExpectedCost expected = expected_cost(scene, numerics, options);
+  const Result result = simulate(scene, numerics, options);
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  const auto steps = static_cast<double>(result.statistics.steps);
+  EXPECT_GT(expected.steps, 0.8 * steps);
+  EXPECT_LT(expected.steps, 1.25 * steps);
+  numerics.thin_fluid = ThinFluid::off;
+  EXPECT_LT(expected_cost(scene, numerics, options).neighbors, expected.neighbors);
+}
+
 // More of anything costs more, by the right power.
 TEST(ExpectedCost, GrowsWithParticlesWallsAndSamples) {
   const Scene scene;
