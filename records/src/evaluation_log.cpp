@@ -152,7 +152,8 @@ void EvaluationLog::append(const std::vector<EvaluationRecord>& records) {
   if (records.empty()) return;
   std::string lines;
   for (const EvaluationRecord& record : records) {
-    lines += (lines.empty() ? "" : "\n") + log_line(record);
+    if (!lines.empty()) lines += '\n';
+    lines += log_line(record);
   }
   append_line(lines, true);
   for (const EvaluationRecord& record : records) {
