@@ -27,7 +27,7 @@ constexpr Way ways[] = {
     {"as_is", "as it is", [](solver::Numerics&) {}},
     {"no_shifting", "no shifting", [](solver::Numerics& n) { n.shifting_factor = 0.0; }},
     {"short_steps", "a quarter of the time step",
-     [](solver::Numerics& n) { n.cfl_acoustic = 0.125; }},
+     [](solver::Numerics& n) { n.cfl_acoustic = 0.25; }},
     {"stiff", "twice the sound speed", [](solver::Numerics& n) { n.sound_speed = 70.0; }},
     {"rk4", "rk4_explicit",
      [](solver::Numerics& n) { n.integrator = solver::Integrator::rk4_explicit; }},

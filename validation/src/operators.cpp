@@ -33,7 +33,6 @@ FlowSetup operator_block(int across, double smoothing, bool settled) {
   const double dx = operator_side / across, margin = std::ceil(3.0 * smoothing + 2.0) * dx;
   setup.numerics.spacing = dx;
   setup.numerics.smoothing_ratio = smoothing;
-  setup.numerics.thin_fluid = solver::ThinFluid::off;  // the viscosity is of no account
   setup.material.density = 1000.0;
   setup.material.yield_stress = 0.0;
   setup.material.flow_index = 1.0;

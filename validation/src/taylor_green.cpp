@@ -43,7 +43,7 @@ struct Vortices {
   double time;              // simulated [s]
   double shifting = 1.0;    // factor of Eq. 9
   bool lattice = false;     // starts from a square lattice instead of settled particles
-  double smoothing = 1.33;  // h/dx; the default is that of the fluid (thin_fluid.hpp)
+  double smoothing = 1.33;  // h/dx; the default may become that of thin fluids
   bool own = true;          // with the settings for thin fluids where they apply
   double cfl = 0.0;         // of the acoustic step; 0: the integration's own
   const char* key = "";     // of a row that is for comparison alone
@@ -74,7 +74,7 @@ FlowSetup box(const Vortices& v) {
   setup.numerics.sound_speed = sound_speed;
   setup.numerics.smoothing_ratio = v.smoothing;
   setup.numerics.cfl_acoustic = v.cfl;
-  if (!v.own) setup.numerics.thin_fluid = solver::ThinFluid::off;
+  if (v.own) setup.numerics.thin_fluid = solver::ThinFluid::automatic;
   setup.numerics.cg_tolerance = 1e-4;
   setup.numerics.shifting_factor = v.shifting;
   setup.material.density = density;

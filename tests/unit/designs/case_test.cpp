@@ -127,7 +127,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
                  "cg_tolerance_m_s2": 0.001, "steps_per_solve": 2, "cg_max_iterations": 7.0,
                  "hydrostatic_start": false, "lattice_jitter": 0.1, "lattice_seed": 9,
                  "integrator": "rk4_explicit", "scheme": "as_published",
-                 "background_pressure_pa": 200, "thin_fluid": "off"},
+                 "background_pressure_pa": 200, "thin_fluid": "auto"},
     "run": {"stop_time_s": 3, "series_interval_s": 0.01, "frame_interval_s": 0.05,
             "until_rest": true, "reading_time_s": 2.5,
             "settled": {"enabled": false, "window_s": 0.3, "retention_change": 0.01,
@@ -166,7 +166,7 @@ TEST(CaseSpec, ValuesReachTheirFields) {
   EXPECT_EQ(spec.numerics.integrator, solver::Integrator::rk4_explicit);
   EXPECT_EQ(spec.numerics.scheme, solver::Scheme::as_published);
   EXPECT_EQ(spec.numerics.background_pressure, 200.0);
-  EXPECT_EQ(spec.numerics.thin_fluid, solver::ThinFluid::off);
+  EXPECT_EQ(spec.numerics.thin_fluid, solver::ThinFluid::automatic);
   EXPECT_DOUBLE_EQ(spec.scene.material.friction_angle, radians(12));
   EXPECT_EQ(spec.run.stop_time, 3.0);
   EXPECT_EQ(spec.run.series_interval, 0.01);

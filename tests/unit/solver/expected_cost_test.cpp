@@ -57,6 +57,7 @@ TEST(ExpectedCost, KnowsThinFluids) {
   scene.material = {.density = 1000.0, .yield_stress = 0.0, .consistency = 1e-3, .flow_index = 1.0};
   Numerics numerics;
   numerics.spacing = 0.025;
+  numerics.thin_fluid = ThinFluid::automatic;
   RunOptions options;
   options.stop_time = 0.8;
   options.settled.enabled = false;

@@ -22,6 +22,8 @@ Material newtonian(double viscosity) {
 
 TEST(ThinFluid, IsToldByTheCellReynoldsNumber) {
   Numerics numerics;  // U = 3.5 m/s, dx = 5 mm
+  EXPECT_FALSE(is_thin(numerics, newtonian(0.0))) << "asked for, never by default";
+  numerics.thin_fluid = ThinFluid::automatic;
   EXPECT_DOUBLE_EQ(cell_reynolds_number(numerics, newtonian(1e-3)), 17500.0);
   EXPECT_TRUE(is_thin(numerics, newtonian(1e-3)));
   EXPECT_TRUE(is_thin(numerics, newtonian(3.4)));
@@ -38,6 +40,7 @@ TEST(ThinFluid, IsToldByTheCellReynoldsNumber) {
 
 TEST(ThinFluid, DebrisIsNot) {
   Numerics numerics;
+  numerics.thin_fluid = ThinFluid::automatic;
   numerics.spacing = 0.1;
   numerics.sound_speed = 350.0;  // 35 m/s on a slope in the field
   // at rest it has 907 Pa s, so that viscosity acts far beyond a particle
@@ -54,10 +57,11 @@ TEST(ThinFluid, DebrisIsNot) {
 }
 
 TEST(ThinFluid, GetsAWiderKernelUnlessAnotherWasGiven) {
-  const Numerics numerics;
+  Numerics numerics;
+  numerics.thin_fluid = ThinFluid::automatic;
   EXPECT_EQ(numerics_for(numerics, newtonian(1e-3)).smoothing_ratio, thin_smoothing_ratio);
   EXPECT_EQ(numerics_for(numerics, Material{}), numerics);
-  Numerics wide;
+  Numerics wide = numerics;
   wide.smoothing_ratio = 2.0;
   EXPECT_EQ(numerics_for(wide, newtonian(1e-3)), wide);
 }
@@ -67,6 +71,7 @@ FlowSetup column(const Material& material) {
   FlowSetup setup;
   setup.numerics.spacing = 0.01;
   setup.numerics.sound_speed = 30.0;
+  setup.numerics.thin_fluid = ThinFluid::automatic;
   setup.material = material;
   setup.gravity = {0.0, -9.81};
   add_wall(setup, {0.0, 0.0}, {0.4, 0.0});
