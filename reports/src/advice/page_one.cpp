@@ -41,7 +41,8 @@ std::string load_label(const Expectation& load) {
 
 std::string limit_words(const Expectation& limit) {
   if (limit.lower && limit.upper) {
-    return fmt::format("{} to {}", number_text(limit.lower), with_unit(limit.upper, unit_key(limit)));
+    return fmt::format("{} to {}", number_text(limit.lower),
+                       with_unit(limit.upper, unit_key(limit)));
   }
   return limit.lower ? "at least " + with_unit(limit.lower, unit_key(limit))
                      : "at most " + with_unit(limit.upper, unit_key(limit));

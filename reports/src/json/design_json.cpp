@@ -73,9 +73,7 @@ Json to_json(const WrittenDesign& design) {
 }
 
 Json to_json(const ObjectiveTerms& terms) {
-  Json json{{"name", terms.name},
-            {"metric", unit_key(terms)},
-            {"goal", goal_word(terms.goal)}};
+  Json json{{"name", terms.name}, {"metric", unit_key(terms)}, {"goal", goal_word(terms.goal)}};
   if (!terms.expression.empty()) json.emplace("expression", terms.expression);
   if (!terms.statistic.empty()) json.emplace("statistic", terms.statistic);
   return json;

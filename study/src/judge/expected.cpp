@@ -186,7 +186,8 @@ Expectation expectation(const StudySpec& study, const Goal& goal, const DesignRu
     if (value) result.estimate = exact_estimate(*value);
     return result;
   }
-  // No run of the design has it: the surrogates, which know it from others, say nothing of a repeat.
+  // No run of the design has it: the surrogates, which know it from others, say nothing of a
+  // repeat.
   const bool none = present == 0 && result.absent > 0;
   if (!none) result.estimate = repeat_estimate(evidence);
   if (result.role != Role::constraint) return result;

@@ -83,8 +83,7 @@ std::shared_ptr<const designs::UndisturbedFlow> make_undisturbed(
                      "): the coefficients of hand formulas stay unknown");
   }
   if (open.result.status != solver::Status::ok) return nullptr;
-  const Json provenance =
-      records::provenance_json(program, records::case_hash(*spec), *spec);
+  const Json provenance = records::provenance_json(program, records::case_hash(*spec), *spec);
   records::write_file_atomically(folder / file_name, records::json_text(records::approach_file_json(
                                                          *spec, open, nullptr, provenance)));
   return flow_of(*spec, open.profile);

@@ -18,8 +18,8 @@ enum class Scheme {
   as_published  ///< Eq. 2-11 of the paper as they are, misprints mended
 };
 
-/// Whether a fluid that is thin enough gets settings of its own (thin_fluid.hpp). Off by default: they
-/// are for vortices, and make the pressures of breaking waves worse.
+/// Whether a fluid that is thin enough gets settings of its own (thin_fluid.hpp). Off by default:
+/// they are for vortices, and make the pressures of breaking waves worse.
 enum class ThinFluid { automatic, off };
 
 /// Sound speed over flow speed: the density then stays within about a per cent.
@@ -48,7 +48,7 @@ struct Numerics {
   unsigned lattice_seed = 1;       ///< seed of that offset
   Integrator integrator = Integrator::implicit_viscosity;
   Scheme scheme = Scheme::corrected;
-  double background_pressure = 0.0;             ///< P_0 of Eq. 2 [Pa]; as_published only
+  double background_pressure = 0.0;       ///< P_0 of Eq. 2 [Pa]; as_published only
   ThinFluid thin_fluid = ThinFluid::off;  ///< corrected scheme only
   friend bool operator==(const Numerics&, const Numerics&) = default;
 };
