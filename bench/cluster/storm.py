@@ -23,6 +23,7 @@ sys.path.insert(0, str(root / "tests/python"))
 
 import parapet as pp  # noqa: E402
 from dask_processes import DaskProcesses  # noqa: E402
+from package_path import hold_anywhere  # noqa: E402
 from tiny import log_of  # noqa: E402
 
 WORKERS = 4
@@ -60,6 +61,7 @@ class Storm:
 
 
 def main(spec: str = "dual_deflector", evaluations: str = "300", between_s: str = "5", algorithm: str = "BAYESIAN") -> int:
+    hold_anywhere()
     program = os.environ.get("PARAPET_PROGRAM", str(root / "build/bin/parapet"))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

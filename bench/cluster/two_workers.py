@@ -19,6 +19,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from package_path import hold_anywhere
+
 root = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("PARAPET_PROGRAM", str(root / "build/bin/parapet"))
 DESIGNS = 24
@@ -33,6 +35,8 @@ def timed(folder: Path, who: str, jobs: int) -> tuple[float, float]:
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL) as process:
         while not (log.exists() and log.stat().st_size > 0):
+            if process.poll() is not None:
+                sys.exit(f"{' '.join(command)} ended without a log, with status {process.returncode}")
             time.sleep(0.005)
         begin, first = time.monotonic(), log.read_text().count("\n")
         count = first
@@ -50,6 +54,7 @@ def timed(folder: Path, who: str, jobs: int) -> tuple[float, float]:
 def main(rounds: str = "5", spacing_mm: str = "10") -> None:
     import parapet as pp
 
+    hold_anywhere()
     study = pp.Study("single_deflector", spacing_m=float(spacing_mm) / 1000.0)
     method = {"algorithm": "SOBOL", "max_evaluations": DESIGNS}
     study = study.changed(name="pair", method=method, recordings="none")

@@ -179,11 +179,19 @@ solver::Approach approach_from_json(const Json& json) {
 
 void set_approach(CaseSpec& spec, const solver::ApproachProfile& profile) {
   spec.run.approach.clear();
-  spec.resolved["approach"] = Json::array();
+  Json flows = Json::array();
   for (const solver::Barrier& barrier : spec.scene.barriers) {
     spec.run.approach.push_back(profile.at(barrier.foot_x));
-    spec.resolved["approach"].push_back(approach_json(spec.run.approach.back()));
+    flows.push_back(approach_json(spec.run.approach.back()));
   }
+  // where a case that is read has it: the order of the keys is part of its hash
+  Json resolved = Json::object();
+  for (const auto& [key, value] : spec.resolved.items()) {
+    if (key == "approach") continue;
+    if (key == "gauges") resolved["approach"] = flows;
+    resolved[key] = value;
+  }
+  spec.resolved = std::move(resolved);
 }
 
 solver::RunOptions read_run(const Json& resolved) {

@@ -19,6 +19,24 @@ double radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
 }
 
+// What a task carries to another machine: the case there has the text, and so the hash, of the one
+// here.
+TEST(CaseApproach, SetOrReadIsTheSameCase) {
+  CaseSpec spec = case_with(R"({"barriers": [{}, {"foot_x_m": 1.6}]})");
+  solver::ApproachProfile profile;
+  profile.x = {1.0, 1.5};  // not as far as the second barrier
+  profile.places = {{1.9, 0.05}, {1.7, 0.04}};
+  set_approach(spec, profile);
+  const CaseSpec read = parse_case(spec.resolved, "test.json");
+  EXPECT_EQ(read.resolved.dump(), spec.resolved.dump());
+  EXPECT_EQ(read.run.approach, spec.run.approach);
+  ASSERT_EQ(read.run.approach.size(), 2U);
+  EXPECT_TRUE(read.run.approach[0].depth);
+  EXPECT_FALSE(read.run.approach[1].depth);
+  set_approach(spec, profile);
+  EXPECT_EQ(read.resolved.dump(), spec.resolved.dump()) << "set again";
+}
+
 // The schema's defaults are the solver's own, to the bit: nothing may be changed in one place only.
 TEST(CaseDefaults, AreTheSceneDefaults) {
   const solver::Scene scene = case_with("{}").scene, expected;
