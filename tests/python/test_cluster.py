@@ -141,6 +141,19 @@ class OnThisMachine(tiny.InFolder):
             names = [sorted(str(p.relative_to(who / folder)) for p in (who / folder).rglob("*")) for who in (ours, theirs)]
             self.assertEqual(*names)
 
+    def test_a_study_that_knows_its_undisturbed_flow_is_the_programs(self) -> None:
+        """Without scenarios the flow without barriers is simulated first, and goes along with every task."""
+        objectives = [{"metric": "barrier_1_slam_force_n_per_m", "goal": "minimize"}]
+        method = {"algorithm": "SOBOL", "max_evaluations": 3, "seed": 1}
+        self.write("one.json", tiny.study(scenarios=[], objectives=objectives, method=method))
+        end = ("optimize", "one.json", "--quiet", "--jobs", "1", "--out")
+        tiny.run(*tiny.module(*end, "ours"), cwd=self.folder)
+        tiny.run(tiny.program(), *end, "theirs", cwd=self.folder)
+        log = tiny.log_of(self.folder / "ours")
+        self.assertEqual(log, tiny.log_of(self.folder / "theirs"))
+        self.assertEqual(len(log), 3)
+        self.assertTrue((self.folder / "ours/approach.json").exists())
+
     def test_either_resumes_the_others_study(self) -> None:
         def until_half(command: list[str], folder: str) -> None:
             with subprocess.Popen(
