@@ -115,8 +115,8 @@ solver::Numerics read_numerics(const Json& resolved, const solver::Scene& scene)
   numerics.scheme = json.at("scheme") == "as_published" ? solver::Scheme::as_published
                                                         : solver::Scheme::corrected;
   numerics.background_pressure = number(json, "background_pressure_pa");
-  numerics.thin_fluid =
-      json.at("thin_fluid") == "off" ? solver::ThinFluid::off : solver::ThinFluid::automatic;
+  numerics.thin_fluid = json.value("thin_fluid", "off") == "off" ? solver::ThinFluid::off
+                                                                 : solver::ThinFluid::automatic;
   return numerics;
 }
 
