@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "parapet/solver/metric_catalog.hpp"
+#include "parapet/study/goal_quantity.hpp"
 
 namespace parapet::study {
 namespace {

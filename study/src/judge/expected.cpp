@@ -7,6 +7,7 @@
 
 #include "parapet/solver/metric_catalog.hpp"
 #include "parapet/study/confirmation.hpp"
+#include "parapet/study/goal_quantity.hpp"
 #include "parapet/study/quantity.hpp"
 #include "parapet/study/scoring.hpp"
 #include "parapet/study/study_surrogates.hpp"

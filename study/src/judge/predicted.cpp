@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parapet/study/expected.hpp"
+#include "parapet/study/goal_quantity.hpp"
 #include "parapet/study/quantity.hpp"
 
 namespace parapet::study {

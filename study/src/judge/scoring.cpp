@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parapet/study/goal_quantity.hpp"
+
 namespace parapet::study {
 namespace {
 

@@ -3,6 +3,7 @@
 #include "parapet/records/hashes.hpp"
 #include "parapet/study/event_model.hpp"
 #include "parapet/study/front.hpp"
+#include "parapet/study/goal_quantity.hpp"
 #include "parapet/study/scoring.hpp"
 
 namespace parapet::study {

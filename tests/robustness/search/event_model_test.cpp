@@ -8,6 +8,7 @@
 
 #include "fake_study.hpp"
 #include "parapet/study/bayesian_problem.hpp"
+#include "parapet/study/goal_quantity.hpp"
 
 namespace parapet::test {
 namespace {

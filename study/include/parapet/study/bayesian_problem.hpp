@@ -8,6 +8,7 @@
 #include "parapet/bayesian/search.hpp"
 #include "parapet/designs/study_spec.hpp"
 #include "parapet/records/evaluation_log.hpp"
+#include "parapet/study/bayesian_space.hpp"
 #include "parapet/study/quantity.hpp"
 
 namespace parapet::study {
@@ -24,9 +25,6 @@ struct SearchProblem {
   std::vector<SearchMetric> metrics;  ///< [n_metrics], in the problem's order
   std::vector<double> spacings;       ///< [n_levels] particle spacing, finest first [m]
 };
-
-/// The space of a study's variables, in their order.
-bayesian::Space make_space(const designs::StudySpec& study);
 
 /// Space, metrics, limits, levels and cheap constraints. Quantities that two goals share are one
 /// metric; a constraint with two limits and a one-sided statistic (worst, quantile) gives two. The
@@ -45,13 +43,6 @@ SearchProblem make_search_problem(const designs::StudySpec& study);
 
 /// The spec's method in the search's terms: start_count is the number of initial designs.
 bayesian::SearchOptions make_search_options(const designs::StudySpec& study);
-
-/// Point of a design, inactive variables NaN.
-bayesian::Point to_point(const designs::StudySpec& study, const designs::Design& design);
-
-/// The design of a point; inactive variables are left out.
-designs::Design to_design(const designs::StudySpec& study, const bayesian::Space& space,
-                          const bayesian::Point& point);
 
 /// What the search is told of a record. `seconds` is the spec's cost of the level, else the nominal
 /// one of the particle steps: measured times would make the search depend on the clock.

@@ -75,24 +75,6 @@ solver::Metric expression_metric(const designs::StudySpec& study, const Quantity
                                  const designs::Design& design,
                                  const std::vector<solver::Metric>& metrics);
 
-/// What an objective that needs a simulation is about. With one event every statistic but the
-/// probability is the metric itself, and is then called the mean.
-Quantity objective_quantity(const designs::StudySpec& study, const designs::Objective& objective);
-
-/// A limit of a constraint that needs a simulation, and the quantity that it limits.
-struct QuantityLimit {
-  Quantity quantity;
-  std::optional<double> lower, upper;
-  double scale = 1.0;  ///< a violation is divided by it
-};
-
-/// What a constraint that needs a simulation limits, lower limits first. One entry where the
-/// statistic does not depend on which end is good; with the statistics worst and quantile one for
-/// each limit. The statistic probability becomes a lower limit `quantile` on the probability,
-/// scale 1.
-std::vector<QuantityLimit> constraint_quantities(const designs::StudySpec& study,
-                                                 const designs::Constraint& constraint);
-
 /// "launch_length_m", "launch_length_m (highest value)",
 /// "P(0.95 <= retention_efficiency)" and so on.
 std::string quantity_name(const Quantity& quantity);
