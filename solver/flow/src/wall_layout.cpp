@@ -80,10 +80,7 @@ class Layout {
  private:
   const Face& face(int f) const { return solids_.faces[at(f)]; }
   Vec2 behind(int f) const { return -1.0 * face(f).normal; }
-  // What the grid of a face fills near one that it leads.
-  Convex grid_of(int f) const {
-    return rectangle(face(f), -past_, face(f).length + past_, 0.0, past_);
-  }
+  Convex grid_for(int f, int end) const;
   void add_own(int f);
   void add_cell(int f, const Station& station, int layer);
   void add_led(int f);
@@ -113,6 +110,18 @@ void Layout::add_own(int f) {
   }
 }
 
+// What the grid of the face met at this end of f fills near f. Past its own other end it does so
+// only where the wall goes on.
+Convex Layout::grid_for(int f, int end) const {
+  const int leading = ends_[at(f)][at(end)]->face;
+  double past[2];
+  for (const int k : {0, 1}) {
+    const auto& met = ends_[at(leading)][at(k)];
+    past[k] = !met || met->pocket || met->face == f ? past_ : 0.0;
+  }
+  return rectangle(face(leading), -past[0], face(leading).length + past[1], 0.0, past_);
+}
+
 // Where no other face is met: whether the wall goes on past the end.
 bool Layout::goes_on(int f, const Station& station, double depth) const {
   const Face& own = face(f);
@@ -124,7 +133,7 @@ bool Layout::goes_on(int f, const Station& station, double depth) const {
 
 void Layout::add_cell(int f, const Station& station, int layer) {
   const Face& own = face(f);
-  const bool before = station.s < 0.0, after = station.s > own.length;
+  const bool before = station.s<0.0, after = station.s> own.length;
   const double depth = layer * spacing_;
   Convex cell = rectangle(own, station.s - 0.5 * station.width, station.s + 0.5 * station.width,
                           depth, depth + spacing_);
@@ -135,11 +144,13 @@ void Layout::add_cell(int f, const Station& station, int layer) {
     if (met && !met->pocket) cell = cut(cell, face(met->face).a, behind(met->face));
   }
   std::vector<Convex> pieces{cell};
-  for (const auto& met : ends_[at(f)]) {
+  for (const int end : {0, 1}) {
+    const auto& met = ends_[at(f)][at(end)];
     if (!met || !met->leads) continue;
+    const Convex grid = grid_for(f, end);
     std::vector<Convex> left;
     for (const Convex& piece : pieces) {
-      for (Convex& part : without(piece, grid_of(met->face))) left.push_back(std::move(part));
+      for (Convex& part : without(piece, grid)) left.push_back(std::move(part));
     }
     pieces = std::move(left);
   }
@@ -170,9 +181,10 @@ void Layout::add_cell(int f, const Station& station, int layer) {
 void Layout::add_led(int f) {
   const Face& own = face(f);
   std::vector<Convex> had;
-  for (const auto& met : ends_[at(f)]) {
+  for (const int end : {0, 1}) {
+    const auto& met = ends_[at(f)][at(end)];
     if (!met || !met->leads) continue;
-    const Convex grid = grid_of(met->face);
+    const Convex grid = grid_for(f, end);
     for (const Patch& patch : patches_[at(met->face)]) {
       const Vec2 center = patch.center();
       if (dot(center - own.a, behind(f)) <= 0.0 ||
@@ -181,7 +193,8 @@ void Layout::add_led(int f) {
       }
       const auto in = [&](const Convex& other) {
         for (std::size_t k = 0; k < other.size(); ++k) {
-          if (cross(other[(k + 1) % other.size()] - other[k], center - other[k]) < 0.0) return false;
+          if (cross(other[(k + 1) % other.size()] - other[k], center - other[k]) < 0.0)
+            return false;
         }
         return true;
       };
