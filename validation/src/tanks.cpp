@@ -157,6 +157,23 @@ void tanks(CaseRun& run) {
                     true, 0.0075, time});
     list.push_back({"pierced_debris", "barrier that pierces the surface, debris", Material{}, slope,
                     long_, 0.035, true, 0.0075, time});
+    // a foot and a thickness that fit the bed's points, and half a spacing off
+    for (const bool fits : {true, false}) {
+      Tank stem{fits ? "stem_on_grid" : "stem_off_grid",
+                fits ? "flat tank with upright stem, water, stem on the bed's grid"
+                     : "flat tank with upright stem, water, stem half a spacing off the grid",
+                water(),
+                0.0,
+                long_,
+                0.15,
+                true,
+                0.01,
+                0.4 * time};
+      stem.bare = true;
+      stem.foot = fits ? 0.2 : 0.22;
+      stem.thickness = fits ? 0.02 : 0.015;
+      list.push_back(stem);
+    }
     list.push_back({"debris_fine", "tilted tank with barrier, debris, 5 mm", Material{}, slope,
                     long_, 0.08, true, 0.005, 0.2 * time});
   }
