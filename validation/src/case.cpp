@@ -1,5 +1,7 @@
 #include "case.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <mutex>
 #include <stdexcept>
@@ -43,6 +45,36 @@ void CaseRun::alone(const std::function<void()>& task, double cost_s) {
 
 void CaseRun::check_cancelled() const {
   if (slots_.cancelled()) throw Cancelled{};
+}
+
+void CaseRun::watch_masses(const solver::Flow& flow) const {
+  const std::vector<double>& mass = flow.fluid().mass;
+  const auto end = mass.begin() + flow.fluid().n;
+  if (flow.fluid().n < 2) return;
+  const double n = flow.fluid().n;
+  double mean = 0.0, squares = 0.0;
+  for (auto m = mass.begin(); m != end; ++m) mean += *m / n;
+  for (auto m = mass.begin(); m != end; ++m) squares += (*m / mean - 1.0) * (*m / mean - 1.0) / n;
+  const auto [least, largest] = std::minmax_element(mass.begin(), end);
+  const std::scoped_lock lock(mutex_);
+  masses_.seen = true;
+  masses_.deviation = std::max(masses_.deviation, std::sqrt(squares));
+  masses_.least = std::min(masses_.least, *least / mean);
+  masses_.largest = std::max(masses_.largest, *largest / mean);
+}
+
+void CaseRun::add_masses() {
+  if (!masses_.seen) return;
+  add({.key = "masses_deviation",
+       .what = "standard deviation of the particles' masses, worst flow and time",
+       .value = 100.0 * masses_.deviation,
+       .unit = "%",
+       .upper = 4.0,
+       .reason = "shifting exchanges mass; what it drives apart is levelled out"});
+  add({.key = "masses_least", .what = "lightest particle over the mean", .value = masses_.least});
+  add({.key = "masses_largest",
+       .what = "heaviest particle over the mean",
+       .value = masses_.largest});
 }
 
 void CaseRun::add(Measure measure) {

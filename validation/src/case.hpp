@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "parapet/flow/flow.hpp"
 #include "parapet/validation/scorecard.hpp"
 
 namespace parapet::validation {
@@ -38,6 +40,12 @@ class CaseRun {
   // For time loops: throws Cancelled once the suite is.
   void check_cancelled() const;
 
+  // For time loops: the particles of all flows of a case are to keep masses alike. From any thread.
+  void watch_masses(const solver::Flow& flow) const;
+
+  // Rows for the masses seen, when there were any.
+  void add_masses();
+
   // Adds a row to the scorecard. Not from within tasks: the order of rows is the report's.
   void add(Measure measure);
 
@@ -48,6 +56,12 @@ class CaseRun {
   Scorecard& card_;
   std::filesystem::path folder_;
   Slots& slots_;
+  mutable std::mutex mutex_;
+  // Of the masses of a flow's particles over their mean: the worst of any flow.
+  mutable struct {
+    double deviation = 0.0, least = 1.0, largest = 1.0;
+    bool seen = false;
+  } masses_;
 };
 
 struct Case {

@@ -20,6 +20,7 @@ void advance(Flow& flow, double time, const CaseRun& run, Balance* balance) {
     }
     if (balance) balance->add_step(flow);
   }
+  run.watch_masses(flow);
 }
 
 void advance_sampled(Flow& flow, double end, double interval, const CaseRun& run,

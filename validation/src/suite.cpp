@@ -41,6 +41,7 @@ std::optional<Scorecard> carry_out(const Case& c, const SuiteOptions& options, S
   CaseRun run(card, options.folder, slots);
   try {
     c.run(run);
+    run.add_masses();
   } catch (const Cancelled&) {
     return std::nullopt;
   } catch (const records::FileError&) {

@@ -37,6 +37,8 @@ class Hydrostatics {
   double pressure(Vec2 p) const { return pressure_at(surface_[basin(p)] - height(p)); }
   double depth() const { return std::max(surface_[0], surface_[1]) - bottom_; }
   double mass_center() const { return mass_center_; }  // height of it
+  // Mass that the particle's basin should have up to the tank's surface, over what it has.
+  double filling(Vec2 p) const { return filling_[basin(p)]; }
   // Of the fluid on a face.
   Vec2 force(const solver::Face& face) const;
 
@@ -57,14 +59,19 @@ class Hydrostatics {
   bool divided_ = false;
   Vec2 crest_, downstream_, upper_;  // of the barrier, and where its faces beyond look to
   std::array<double, 2> surface_;    // heights
+  std::array<double, 2> filling_;
 };
 
-// The barrier of the tilted tank: 100 mm with a 45 deg deflector, as in the channel.
-Scene barrier_scene() {
+// The barrier of a tank: 100 mm, as in the channel with a 45 deg deflector or bare.
+Scene barrier_scene(const Tank& tank) {
   Scene scene;
+  scene.slope = tank.slope;
   solver::Barrier barrier;
-  barrier.foot_x = 0.22;
-  barrier.deflector = solver::Deflector{.angle = std::numbers::pi / 4.0, .length = 0.065};
+  barrier.foot_x = tank.foot;
+  barrier.thickness = tank.thickness;
+  if (!tank.bare) {
+    barrier.deflector = solver::Deflector{.angle = std::numbers::pi / 4.0, .length = 0.065};
+  }
   scene.barriers = {barrier};
   return scene;
 }
@@ -83,8 +90,8 @@ Hydrostatics::Hydrostatics(const Tank& tank, const FlowSetup& setup)
       c2_(setup.numerics.sound_speed * setup.numerics.sound_speed) {
   constexpr double cell = 1e-3;  // [m]
   bottom_ = height({tank.length, 0.0});
-  if (tank.barrier) {
-    const Scene scene = barrier_scene();
+  if (tank.barrier && !tank.bare) {
+    const Scene scene = barrier_scene(tank);
     const solver::Barrier& barrier = scene.barriers.front();
     const Vec2 stem = stem_direction(scene, barrier);
     const Vec2 plate = deflector_direction(scene, *barrier.deflector);
@@ -104,20 +111,28 @@ Hydrostatics::Hydrostatics(const Tank& tank, const FlowSetup& setup)
   for (const solver::InitialParticle& p : setup.particles) mass[basin({p.x, p.z})] += p.mass;
   double all_moment = 0.0;
   for (std::size_t b = 0; b < mass.size(); ++b) {
-    double low = bottom_, high = wall_top, moment = 0.0;
+    struct Below {
+      double mass = 0.0, moment = 0.0;
+    };
+    const auto below = [&](double surface) {
+      Below sum;
+      for (const double h : heights[b]) {
+        if (h > surface) continue;
+        const double m = cell * cell * (rho_0_ + pressure_at(surface - h) / c2_);
+        sum.mass += m;
+        sum.moment += m * h;
+      }
+      return sum;
+    };
+    double low = bottom_, high = wall_top;
+    Below still;
     for (int k = 0; k < 40; ++k) {
       surface_[b] = 0.5 * (low + high);
-      double sum = 0.0;
-      moment = 0.0;
-      for (const double h : heights[b]) {
-        if (h > surface_[b]) continue;
-        const double m = cell * cell * (rho_0_ + pressure_at(surface_[b] - h) / c2_);
-        sum += m;
-        moment += m * h;
-      }
-      (sum < mass[b] ? low : high) = surface_[b];
+      still = below(surface_[b]);
+      (still.mass < mass[b] ? low : high) = surface_[b];
     }
-    all_moment += moment;
+    all_moment += still.moment;
+    filling_[b] = mass[b] > 0.0 ? below(tank.surface).mass / mass[b] : 1.0;
   }
   mass_center_ = all_moment / (mass[0] + mass[1]);
 }
@@ -146,7 +161,7 @@ FlowSetup tank_setup(const Tank& tank) {
   add_wall(setup, {tank.length, 0.0}, {tank.length, wall_top});
   add_wall(setup, {0.0, wall_top}, {0.0, 0.0});
   if (tank.barrier) {
-    const Scene scene = barrier_scene();
+    const Scene scene = barrier_scene(tank);
     add_outline(setup.solids, barrier_outline(scene, scene.barriers.front()), 0, true);
   }
   // every face is a load cell of its own
@@ -175,7 +190,8 @@ FlowSetup tank_setup(const Tank& tank) {
 // Moves the particles until they surround each other and fill the corners evenly: against
 // the sum of Eq. 9, walls included, as far as the free surface does not reach (after Colagrossi et
 // al. 2012), never closer to a wall than 0.4 dx. A lattice cut by oblique plates leaves gaps, which
-// a fluid with a yield stress would keep.
+// a fluid with a yield stress would keep. Afterwards the particles share the mass of the whole
+// tank: those cut out of the lattice have 2 % less, and would stand higher than their mass says.
 void pack(FlowSetup& setup, const Tank& tank) {
   const Vec2 up{-std::sin(tank.slope), std::cos(tank.slope)};
   Flow flow{FlowSetup(setup)};
@@ -211,6 +227,8 @@ void pack(FlowSetup& setup, const Tank& tank) {
     setup.particles[i] = {
         at.x, at.z, 0.0, 0.0, setup.material.density * (1.0 + gravity * below / c2), f.mass[i]};
   }
+  const Hydrostatics packed(tank, setup);
+  for (solver::InitialParticle& p : setup.particles) p.mass *= packed.filling({p.x, p.z});
 }
 
 // Errors of the forces over the sum of the forces' sizes on all plates of the barrier.

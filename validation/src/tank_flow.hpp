@@ -23,6 +23,9 @@ struct Tank {
   double time;     // [s]
   solver::Integrator integrator = solver::Integrator::implicit_viscosity;
   double shifting = 1.0;  // share of the shifting velocity
+  // Of the barrier: bare ones stay under water.
+  bool bare = false;
+  double foot = 0.22, thickness = 0.015;  // [m]
 };
 
 struct TankRun {

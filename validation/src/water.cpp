@@ -183,6 +183,7 @@ void follow(Flow& flow, double end, const CaseRun& run, Balance& balance,
     flow.refresh();
     each(flow);
   }
+  run.watch_masses(flow);
 }
 
 }  // namespace parapet::validation

@@ -24,6 +24,11 @@ constexpr double density_limit = 0.5;
 constexpr double speed_limit = 0.5;      // of the sound speed: weak compressibility is lost
 constexpr double shortest_step = 1e-10;  // [s]
 
+// Fluid is seen around a corner of a solid within so many spacings of it. In tanks of water with
+// plates of 0.5 to 2 dx the largest speeds fall from one spacing to 1.5, and do not change much
+// beyond.
+constexpr double around_corners = 1.5;
+
 constexpr double kept_share = 0.95;  // a sound speed is kept until one below this share will do
 
 FlowSetup checked(FlowSetup setup) {
@@ -48,7 +53,8 @@ Flow::Flow(FlowSetup setup)
       walls_(lay_out_walls(setup_.solids, setup_.numerics.spacing, 2.0 * smoothing_length())),
       rows_(setup_.solids, walls_, 2.0 * smoothing_length(),
             setup_.numerics.skin_ratio * smoothing_length(),
-            as_published() ? 0.0 : setup_.numerics.spacing, setup_.periodic_length, &passes_),
+            as_published() ? 0.0 : around_corners * setup_.numerics.spacing, setup_.periodic_length,
+            &passes_),
       viscous_(std::make_unique<ViscousSolve>()),
       integrator_(integrator_for(setup_.numerics, thin_)),
       impulses_(at(setup_.n_barriers)) {
