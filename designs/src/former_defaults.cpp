@@ -22,8 +22,6 @@ constexpr std::array former_defaults{
     FormerDefault{"/numerics/skin_ratio", 0.45},
     FormerDefault{"/numerics/sound_speed_m_s", 35.0},
     FormerDefault{"/run/settled/earliest_time_s", 1.5},
-    // physics 3
-    FormerDefault{"/numerics/steps_per_solve", 3},
     // in events of every size
     FormerDefault{"/channel/length_m", 3.0},
     FormerDefault{"/channel/height_m", 1.5},

@@ -77,12 +77,16 @@ Flow::Flow(FlowSetup setup)
 
 Flow::~Flow() = default;
 
+bool Flow::takes_over_pairs() const {
+  return integrator_->keeps_pairs() && now_.statistics.steps % 2 != 0;
+}
+
 FlowState Flow::state() const {
   FlowState state{now_, integrator_->clock(), departures_, fluid_.compact(), {}, {}, {}, {}};
   if (rows_.valid()) {
     state.built_x = rows_.built_x();
     state.built_z = rows_.built_z();
-    if (integrator_->keeps_pairs()) {
+    if (takes_over_pairs()) {
       state.picked_x = x_before_;
       state.picked_z = z_before_;
     }
@@ -189,7 +193,7 @@ std::optional<Failure> Flow::step(double longest) {
     if (auto failure = check_state()) return failure;
   }
   if (setup_.adapt_sound_speed) follow_flow();
-  renew_neighbors(now_.statistics.steps > 0 && integrator_->keeps_pairs());
+  renew_neighbors(takes_over_pairs());
   update_pressure();
   double max_viscosity = 0.0;
   if (integrator_->explicit_viscosity() && !inviscid()) {

@@ -22,9 +22,9 @@ class ImplicitViscosity final : public TimeIntegrator {
   double default_acoustic_cfl() const override { return implicit_acoustic_cfl; }
   double most_excess() const override { return implicit_step_excess; }
   bool explicit_viscosity() const override { return false; }
-  // Picked for each step with a solve and every second one from there back: in one step a pair
-  // comes within reach by a tenth of h at most, where the kernel's gradient is 1e-4 of its largest.
-  bool keeps_pairs() const override { return (steps_per_solve_ - 1 - clock_.steps) % 2 != 0; }
+  // In one step a pair comes within reach by a tenth of h at most, where the kernel's gradient is
+  // 1e-4 of its largest.
+  bool keeps_pairs() const override { return true; }
   IntegrationClock clock() const override { return clock_; }
   void set_clock(const IntegrationClock& clock) override { clock_ = clock; }
 

@@ -19,7 +19,7 @@ class TimeIntegrator {
   // Moves positions, velocities and densities by dt. Pressure, volumes and rows are those of the
   // state before the step.
   virtual std::optional<Failure> advance(Flow& flow, double dt) = 0;
-  // Whether the coming step may do with the pairs that were picked for the one before.
+  // Whether every second step may do with the pairs that were picked for the one before.
   virtual bool keeps_pairs() const { return false; }
   // What it remembers from step to step.
   virtual IntegrationClock clock() const { return {}; }

@@ -41,7 +41,7 @@ struct Numerics {
   double cfl_force = 0.25;         ///< dt <= cfl sqrt(h / |a|max)
   double cfl_viscous = 0.125;      ///< dt <= cfl h^2 rho / eta_max (explicit viscosity only)
   double cg_tolerance = 0.5;       ///< residual of the viscous solve, as an acceleration [m/s2]
-  int steps_per_solve = 4;         ///< acoustic steps for each step of viscosity and shifting
+  int steps_per_solve = 3;         ///< acoustic steps for each step of viscosity and shifting
   int cg_max_iterations = 500;     ///< more than this is a failed run
   bool hydrostatic_start = true;   ///< the block starts with p = rho g cos(slope) depth
   double lattice_jitter = 0.0;     ///< random offset of the initial lattice, as a share of dx

@@ -193,6 +193,7 @@ class Flow {
  private:
   std::optional<Failure> check_state();
   void follow_flow();
+  bool takes_over_pairs() const;  // whether the next step may, of the one before
   void renew_neighbors(bool keep_pairs);
   void stop_at_walls();
   void add_to_strip(int load_cell, Vec2 place, Vec2 impulse);
