@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace parapet::cli {
 namespace {
@@ -42,10 +43,10 @@ std::string profile_text(const solver::Profile& profile, const solver::RunStatis
                   "share", "calls", "us/call", "ns/pair", "M pairs/s");
   for (const solver::StageTime& stage : profile.stages) text += stage_line(stage, whole);
   text += fmt::format("  {:<20} {:>10.3f}\n", "whole run", profile.seconds());
-  text +=
-      fmt::format("  {} steps of {:.4g} us, cut by {:.1f} % to meet sample times; limited by: {}\n",
-                  statistics.steps, 1e6 * statistics.mean_time_step,
-                  100.0 * profile.step_shortening, limits_text(profile));
+  text += fmt::format("  {} steps of {:.4g} us, {:.1f} % {} for sample times; limited by: {}\n",
+                      statistics.steps, 1e6 * statistics.mean_time_step,
+                      100.0 * std::abs(profile.step_shortening),
+                      profile.step_shortening < 0.0 ? "longer" : "shorter", limits_text(profile));
   text += fmt::format("  neighbour rows renewed {} times, every {:.1f} steps\n",
                       statistics.neighbor_builds,
                       per(static_cast<double>(statistics.steps), statistics.neighbor_builds));

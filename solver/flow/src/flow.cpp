@@ -83,11 +83,19 @@ Flow::Flow(FlowSetup setup)
 
 Flow::~Flow() = default;
 
+bool Flow::takes_over_pairs() const {
+  return integrator_->keeps_pairs() && now_.statistics.steps % 2 != 0;
+}
+
 FlowState Flow::state() const {
-  FlowState state{now_, integrator_->clock(), departures_, fluid_.compact(), {}, {}};
+  FlowState state{now_, integrator_->clock(), departures_, fluid_.compact(), {}, {}, {}, {}};
   if (rows_.valid()) {
     state.built_x = rows_.built_x();
     state.built_z = rows_.built_z();
+    if (takes_over_pairs()) {
+      state.picked_x = x_before_;
+      state.picked_z = z_before_;
+    }
   }
   return state;
 }
@@ -102,9 +110,16 @@ void Flow::resume(const FlowState& state) {
   if (state.built_x.empty()) return;
   // The rows as they were: built where the particles stood then, which leaves them in their order.
   std::vector<double> x = fluid_.x, z = fluid_.z;
-  std::copy(state.built_x.begin(), state.built_x.end(), fluid_.x.begin());
-  std::copy(state.built_z.begin(), state.built_z.end(), fluid_.z.begin());
+  const auto place = [&](const std::vector<double>& at_x, const std::vector<double>& at_z) {
+    std::copy(at_x.begin(), at_x.end(), fluid_.x.begin());
+    std::copy(at_z.begin(), at_z.end(), fluid_.z.begin());
+  };
+  place(state.built_x, state.built_z);
   rows_.build(fluid_, threads());
+  if (!state.picked_x.empty()) {
+    place(state.picked_x, state.picked_z);
+    find_reached_pairs();
+  }
   fluid_.x = std::move(x);
   fluid_.z = std::move(z);
   pack(&Fluid::pack);
@@ -184,7 +199,7 @@ std::optional<Failure> Flow::step(double longest) {
     if (auto failure = check_state()) return failure;
   }
   if (setup_.adapt_sound_speed) follow_flow();
-  prepare_neighbors();
+  renew_neighbors(takes_over_pairs());
   update_pressure();
   double max_viscosity = 0.0;
   if (integrator_->explicit_viscosity() && !inviscid()) {
@@ -198,8 +213,8 @@ std::optional<Failure> Flow::step(double longest) {
     max_viscosity = apparent_viscosity(m, yield, 0.0, 1.0);
     for (const double eta : fluid_.pair_viscosity) max_viscosity = std::max(max_viscosity, eta);
   }
-  const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic
-                                                        : integrator_->default_acoustic_cfl();
+  const double own_cfl = integrator_->default_acoustic_cfl();
+  const double cfl = setup_.numerics.cfl_acoustic > 0.0 ? setup_.numerics.cfl_acoustic : own_cfl;
   const TimeStepInput input{smoothing_length(), now_.max_speed,          now_.max_acceleration,
                             max_viscosity,      setup_.material.density, cfl};
   Numerics numerics = setup_.numerics;
@@ -209,8 +224,9 @@ std::optional<Failure> Flow::step(double longest) {
     return Failure{StopReason::time_step_collapse,
                    "the stable time step fell to " + std::to_string(stable) + " s"};
   }
-  // whole steps until `longest`, so that samples fall on their times without a tiny last step
-  const double dt = longest / std::max(1.0, std::ceil(longest / stable - 1e-9));
+  // samples fall on their times; who asks for longer steps than usual gets none that exceed them
+  const double dt =
+      dividing_step(longest, stable, cfl > own_cfl ? 0.0 : integrator_->most_excess());
   if (setup_.timer) {
     setup_.timer->count_step(deciding_limit(numerics, input), dt, stable);
   }

@@ -84,6 +84,10 @@ FlowArrays Flow::packed_arrays() {
 }
 
 void Flow::prepare_neighbors() {
+  renew_neighbors(false);
+}
+
+void Flow::renew_neighbors(bool keep_pairs) {
   const StageScope check(setup_.timer, Stage::neighbor_check);
   const bool outdated = rows_.outdated(fluid_);
   if (outdated) {
@@ -92,7 +96,11 @@ void Flow::prepare_neighbors() {
     pack(&Fluid::pack);  // the particles stand in another order now
     ++now_.statistics.neighbor_builds;
   }
-  find_reached_pairs();
+  if (outdated || !keep_pairs) {
+    find_reached_pairs();
+  } else {
+    pack(&Fluid::pack_motion);
+  }
   if (!outdated || setup_.timer == nullptr) return;
   const StageScope profiling(setup_.timer, Stage::profiling);
   setup_.timer->set_pairs(count_pairs(arrays()));

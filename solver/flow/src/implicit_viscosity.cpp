@@ -8,6 +8,7 @@
 // that loan back, so that its result does not depend on it.
 #include <algorithm>
 
+#include "parapet/flow/time_step.hpp"
 #include "time_integrator.hpp"
 
 namespace parapet::solver {
@@ -18,8 +19,12 @@ class ImplicitViscosity final : public TimeIntegrator {
   explicit ImplicitViscosity(int steps_per_solve)
       : steps_per_solve_(steps_per_solve), clock_{.steps = steps_per_solve - 1} {}
 
-  double default_acoustic_cfl() const override { return 1.0; }
+  double default_acoustic_cfl() const override { return implicit_acoustic_cfl; }
+  double most_excess() const override { return implicit_step_excess; }
   bool explicit_viscosity() const override { return false; }
+  // In one step a pair comes within reach by a tenth of h at most, where the kernel's gradient is
+  // 1e-4 of its largest.
+  bool keeps_pairs() const override { return true; }
   IntegrationClock clock() const override { return clock_; }
   void set_clock(const IntegrationClock& clock) override { clock_ = clock; }
 

@@ -17,6 +17,12 @@ double stable_time_step(const Numerics& numerics, const TimeStepInput& in) {
   return dt;
 }
 
+double dividing_step(double longest, double stable, double most_excess) {
+  constexpr double rounding = 1e-9;
+  const double many = std::max(1.0, std::ceil(longest / stable - rounding)), fewer = many - 1.0;
+  return longest / (longest <= (1.0 + most_excess) * stable * fewer ? fewer : many);
+}
+
 TimeStepLimit deciding_limit(const Numerics& numerics, const TimeStepInput& in) {
   TimeStepInput fewer = in;
   fewer.max_acceleration = fewer.max_viscosity = 0.0;

@@ -12,6 +12,10 @@
 namespace parapet::solver {
 namespace {
 
+// Metrics are final before debris is at rest. Of the settled rule's window and energy, and of the
+// time so far: slow flows take longer for everything.
+constexpr double final_window = 0.5, final_energy = 2.0, final_time = 1.0 / 16.0;
+
 GaugeScene gauge_scene(const Scene& scene, const Flow& flow, const GaugeSettings& settings) {
   GaugeScene g;
   g.scene = &scene;
@@ -184,10 +188,11 @@ Quality Recorder::quality(const Flow& flow) const {
   return quality;
 }
 
+// What passes unseen may not be more than what retention may move by.
 bool Recorder::all_moving(const Flow& flow) const {
   const SettledRule& rule = options_.settled;
   return live_energy(g_, flow.fluid(), rule.retention_change) >
-         rule.kinetic_energy_share * peak_energy_;
+         final_energy * rule.kinetic_energy_share * peak_energy_;
 }
 
 void Recorder::count_at_rest(const Fluid& f) {
@@ -230,10 +235,7 @@ std::vector<double> Recorder::column(const std::string& name) const {
 // while slow debris is still on its way to a place that it has not reached.
 bool Recorder::can_still_change(const Flow& flow, double within) const {
   const Fluid& f = flow.fluid();
-  const SettledRule& rule = options_.settled;
-  // what passes unseen may not be more than what retention may move by
-  const double energy = live_energy(g_, f, rule.retention_change);
-  if (energy > rule.kinetic_energy_share * peak_energy_) return true;
+  if (all_moving(flow)) return true;
   if (launch_.landing(f)) return true;
   if (flow.time() < options_.reading_time) return true;
   for (std::size_t k = 0; k < arrival_.size(); ++k) {
@@ -257,11 +259,11 @@ void Recorder::watch_metrics(double time) {
   }
 }
 
-// Slow flows take longer for everything: an eighth of the time so far must have changed nothing.
 bool Recorder::metrics_final(const Flow& flow) const {
-  constexpr double quiet_share = 1.0 / 8.0;
   const double now = flow.time();
-  return quiet_ && now - quiet_->since >= std::max(options_.settled.window, quiet_share * now) &&
+  return quiet_ &&
+         now - quiet_->since >=
+             std::max(final_window * options_.settled.window, final_time * now) &&
          !can_still_change(flow, options_.stop_time - now);
 }
 

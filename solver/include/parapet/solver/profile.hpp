@@ -23,10 +23,12 @@ struct Profile {
   std::int64_t steps_acoustic = 0;      ///< steps whose length the sound speed decided
   std::int64_t steps_acceleration = 0;  ///< ... the largest acceleration
   std::int64_t steps_viscous = 0;       ///< ... explicit viscosity
-  double step_shortening = 0.0;         ///< mean share by which steps were cut to meet sample times
-  double fluid_neighbors = 0.0;         ///< mean of fluid neighbours within the kernel's reach
-  double wall_neighbors = 0.0;          ///< mean of wall points within the kernel's reach
-  double slots_per_pair = 0.0;          ///< row slots over such pairs: what skin and padding add
+  /// Mean share by which steps were shorter than the stable one to meet sample times; negative
+  /// where they were longer.
+  double step_shortening = 0.0;
+  double fluid_neighbors = 0.0;          ///< mean of fluid neighbours within the kernel's reach
+  double wall_neighbors = 0.0;           ///< mean of wall points within the kernel's reach
+  double slots_per_pair = 0.0;           ///< row slots over such pairs: what skin and padding add
   double steps_after_last_change = 0.0;  ///< share of the steps after a metric last changed; one
                                          ///< that creeps, by more than settled.retention_change
   double rest_share = 0.0;  ///< share of the particle-steps that were spent on material slower than

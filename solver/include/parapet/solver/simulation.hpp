@@ -18,10 +18,13 @@ namespace parapet::solver {
 /// Stop early once no metric can change any more; with RunOptions::until_rest, once all is at rest.
 struct SettledRule {
   bool enabled = true;
-  double window = 0.25;  ///< the rules must hold this long [s], and an eighth of the time so far
+  /// The rules must hold this long with until_rest; otherwise half as long, and a sixteenth of the
+  /// time so far [s].
+  double window = 0.25;
   double retention_change = 0.002;  ///< largest change of any barrier's retention in the window
-  /// Kinetic energy as a share of the largest seen: of the material that can still change a metric,
-  /// without its fastest parcels (retention_change of the mass); with until_rest of everything.
+  /// Kinetic energy as a share of the largest seen: with until_rest of everything; otherwise half
+  /// of that of the material that can still change a metric, without its fastest parcels
+  /// (retention_change of the mass).
   double kinetic_energy_share = 1e-3;
   double earliest_time = 0.0;  ///< never before this time [s]
 };

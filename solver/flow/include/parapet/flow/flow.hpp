@@ -122,8 +122,8 @@ class Flow {
   /// Pressure and volume are those of the last update_pressure, what belongs to gradients and
   /// rheology that of the last update_gradients; refresh() brings the former up to date.
   const Fluid& fluid() const { return fluid_; }
-  /// The same to change: places, velocities, densities, masses. Whoever adds or takes away
-  /// particles makes a new flow.
+  /// The same to change: velocities, densities, masses; places with prepare_neighbors() after it.
+  /// Whoever adds or takes away particles makes a new flow.
   Fluid& fluid() { return fluid_; }
   /// The wall points, which do not move.
   const WallPoints& walls() const { return walls_; }
@@ -193,6 +193,8 @@ class Flow {
  private:
   std::optional<Failure> check_state();
   void follow_flow();
+  bool takes_over_pairs() const;  // whether the next step may, of the one before
+  void renew_neighbors(bool keep_pairs);
   void stop_at_walls();
   void add_to_strip(int load_cell, Vec2 place, Vec2 impulse);
   FlowArrays packed_arrays();                   // with the records as they are

@@ -42,6 +42,8 @@ struct FlowState {
   Fluid fluid;  ///< compact
   /// Where the particles stood when the neighbour rows were built [n]; empty when they are due.
   std::vector<double> built_x, built_z;
+  /// Where they stood when the pairs were picked [n or n + 1]; empty when the next step picks anew.
+  std::vector<double> picked_x, picked_z;
 
   std::size_t bytes() const;  ///< of memory, about
 };
