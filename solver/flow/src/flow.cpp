@@ -49,6 +49,7 @@ std::unique_ptr<TimeIntegrator> integrator_for(const Numerics& numerics, bool th
 Flow::Flow(FlowSetup setup)
     : setup_(checked(std::move(setup))),
       thin_(is_thin(setup_.numerics, setup_.material)),
+      damps_sound_(damps_sound(setup_.numerics, setup_.material)),
       passes_(setup_.passes ? *setup_.passes : best_passes(setup_.numerics.scheme)),
       walls_(lay_out_walls(setup_.solids, setup_.numerics.spacing, 2.0 * smoothing_length())),
       rows_(setup_.solids, walls_, 2.0 * smoothing_length(),

@@ -9,6 +9,7 @@
 #include "parapet/flow/rheology.hpp"
 #include "parapet/flow/shifting.hpp"
 #include "parapet/flow/stage_timer.hpp"
+#include "parapet/solver/thin_fluid.hpp"
 #include "viscous_solve.hpp"
 
 namespace parapet::solver {
@@ -120,11 +121,13 @@ void Flow::update_pressure() {
     pack(&Fluid::pack_state);
     return;
   }
+  const double bulk = sound_damping * smoothing_length() * now_.sound_speed;
   const double most = setup_.numerics.sound_speed;
   const double thinnest_spray = 1.0 - spray_stretch * (most * most / c2);
   for (std::size_t i = 0; i < at(fluid_.n); ++i) {
     if (is_alone(fluid_.closeness[i])) fluid_.density[i] = rho_0;
     fluid_.pressure[i] = c2 * (fluid_.density[i] - rho_0);
+    if (damps_sound_) fluid_.pressure[i] += bulk * fluid_.density_rate[i];
     if (is_spray(fluid_.lambda[i]) && fluid_.pressure[i] < 0.0) {
       fluid_.pressure[i] = 0.0;
       fluid_.density[i] = std::max(fluid_.density[i], thinnest_spray * rho_0);

@@ -17,7 +17,11 @@ double cell_reynolds_number(const Numerics& numerics, const Material& material) 
 }
 
 bool is_thin(const Numerics& numerics, const Material& material) {
-  return numerics.thin_fluid == ThinFluid::automatic && numerics.scheme == Scheme::corrected &&
+  return numerics.thin_fluid == ThinFluid::automatic && damps_sound(numerics, material);
+}
+
+bool damps_sound(const Numerics& numerics, const Material& material) {
+  return numerics.scheme == Scheme::corrected &&
          cell_reynolds_number(numerics, material) >= thin_cell_reynolds_number;
 }
 

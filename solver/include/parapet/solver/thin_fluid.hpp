@@ -19,6 +19,15 @@ constexpr double thin_cell_reynolds_number = 5.0;
 /// thin_fluid not off, and a cell Reynolds number of at least thin_cell_reynolds_number.
 bool is_thin(const Numerics& numerics, const Material& material);
 
+/// Whether sound is damped: in every fluid as thin as that, whatever thin_fluid says, but not in
+/// the scheme as_published. Nothing else would end it.
+bool damps_sound(const Numerics& numerics, const Material& material);
+
+/// Where sound is damped, p = c_s^2 (rho - rho_0) + sound_damping h c_s drho/dt: a bulk viscosity
+/// of sound_damping rho h c_s, which shear does not feel. A wave of number k decays at the rate
+/// sound_damping h c_s k^2/2.
+constexpr double sound_damping = 0.2;
+
 /// The support of the kernel for thin fluids, h/dx; in place of the default alone.
 constexpr double thin_smoothing_ratio = 1.5;
 

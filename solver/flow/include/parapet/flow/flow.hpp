@@ -202,7 +202,7 @@ class Flow {
   void remove_departed();
 
   FlowSetup setup_;
-  const bool thin_;
+  const bool thin_, damps_sound_;
   const PassTable& passes_;
   Kernel kernel_;  // its gradient is exact on a square lattice, but for as_published
   WallPoints walls_;

@@ -61,7 +61,7 @@ constexpr bool survives_removal(Lifetime lifetime) {
 
 // What the density pass finds.
 #define PARAPET_RATE_FIELDS(FIELD)                                                                 \
-  FIELD(density_rate,   passing, 0.0, 0.0)      /* d rho/dt, Eq. 6-7 with shifting [kg/m3/s]    */ \
+  FIELD(density_rate,   lasting, 0.0, 0.0)      /* d rho/dt, Eq. 6-7 with shifting [kg/m3/s]    */ \
   FIELD(mass_rate,      passing, 0.0, 0.0)      /* dm/dt that shifting exchanges [kg/m/s]       */ \
   FIELD(exchange_x,     passing, 0.0, 0.0)      /* m du/dt that comes with that mass [N/m]      */ \
   FIELD(exchange_z,     passing, 0.0, 0.0)      /*                                              */
