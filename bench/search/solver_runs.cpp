@@ -104,8 +104,10 @@ const SolverRun& SolverRuns::run(const Design& x, double spacing_m, int lattice)
   const std::string name = key(x, spacing_m, lattice);
   if (const auto found = known_.find(name); found != known_.end()) return found->second;
   const Json json = simulate(x, spacing_m, lattice);
+  // one write, so that several processes may share the store
+  const std::string line = json.dump() + '\n';
   std::ofstream out(store_, std::ios::app);
-  out << json.dump() << '\n';
+  out.write(line.data(), static_cast<std::streamsize>(line.size()));
   if (!out.flush()) throw std::runtime_error("cannot write " + store_.string());
   ++simulated_;
   return known_[name] = to_run(json);

@@ -7,7 +7,8 @@
 // scatter, as if simulated again there many times; or PROGRAM, `parapet`, answers, its runs are
 // kept in STORE.jsonl, and each design of the front is simulated again at the finest level with
 // LATTICES other lattices, whose mean counts. The search ends with EVALUATIONS or with the
-// particle-steps of FINEST_RUNS (0: no limit). RULE says what the front is:
+// particle-steps of FINEST_RUNS (0: no limit). SEEDS: their number, or "4-6" (parts of a study side
+// by side; a last call then finds all runs in the store). RULE says what the front is:
 //   observed   the feasible designs observed at the finest level
 //   estimated  designs known at any level, by the surrogates' medians at the finest one
 // Uses of parapet::bayesian only what revision 1c5eedf has too: bench/search/targets builds it
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "as_bayesian.hpp"
 #include "median.hpp"
@@ -35,6 +37,13 @@ std::vector<double> numbers(const std::string& text) {
   std::istringstream in(text);
   for (std::string one; std::getline(in, one, ',');) result.push_back(std::stod(one));
   return result;
+}
+
+// "10": 1 to 10; "4-6".
+std::pair<int, int> seeds_of(const std::string& text) {
+  const std::size_t dash = text.find('-');
+  if (dash == std::string::npos) return {1, std::stoi(text)};
+  return {std::stoi(text.substr(0, dash)), std::stoi(text.substr(dash + 1))};
 }
 
 std::vector<double> to_user(const BenchProblem& problem, const Eigen::VectorXd& y) {
@@ -112,11 +121,12 @@ void run(const std::vector<std::string>& a) {
   AnswerSource source;
   if (a.size() > 8) source = {a[8], a[9], std::stoi(a[10])};
   const TargetProblem target = load_target(a[0], a[1], numbers(a[2]), source);
-  const int seeds = std::stoi(a[3]), evaluations = std::stoi(a[4]);
+  const auto [first, last] = seeds_of(a[3]);
+  const int evaluations = std::stoi(a[4]);
   const double finest_runs = std::stod(a[5]);
   Json rows = Json::array();
   std::vector<double> volumes, costs;
-  for (int k = 1; k <= seeds; ++k) {
+  for (int k = first; k <= last; ++k) {
     const Outcome o = run_once(target, static_cast<std::uint64_t>(k), evaluations, finest_runs,
                                a[6] == "estimated");
     volumes.push_back(o.hypervolume);
