@@ -38,7 +38,8 @@ bayesian::Observation observe(const BenchProblem& problem, const Design& x, int 
   const Answer answer = problem.evaluate(x, level);
   bayesian::Observation observation;
   observation.ok = answer.ok;
-  observation.seconds = problem.level_seconds[static_cast<std::size_t>(level)];
+  observation.seconds =
+      answer.seconds.value_or(problem.level_seconds[static_cast<std::size_t>(level)]);
   observation.values.assign(problem.metrics.size(), std::nullopt);
   if (!answer.ok) return observation;
   for (std::size_t m = 0; m < problem.metrics.size(); ++m) {

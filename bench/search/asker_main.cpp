@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <ctime>
 #include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -15,6 +14,7 @@
 #include "bench_problem.hpp"
 #include "hash_noise.hpp"
 #include "parapet/bayesian/search.hpp"
+#include "processor_seconds.hpp"
 #include "scrambled_sobol.hpp"
 
 namespace parapet::bench::search {
@@ -46,10 +46,6 @@ bayesian::Observation answer(const bayesian::Point& x) {
   return {.ok = true,
           .values = {near + noise("f1"), far + noise("f2"), 1.0 + wave + noise("g")},
           .seconds = 1.0};
-}
-
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 nlohmann::ordered_json measure(int designs, int batch) {

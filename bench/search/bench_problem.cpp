@@ -162,7 +162,7 @@ BenchProblem load_problem(const std::filesystem::path& list, const std::filesyst
         oracle.upper != problem.upper) {
       throw std::invalid_argument("the table " + level + " has other variables than its study");
     }
-    problem.level_seconds.push_back(oracle.median_wall_time);
+    problem.level_seconds.push_back(oracle.median_cpu_time);
   }
   for (const Json& objective : json.at("objectives")) add_objective(problem, oracles, objective);
   for (const Json& limit : json.at("limits")) {

@@ -39,6 +39,7 @@ struct BenchLimit {
 struct Answer {
   bool ok = false;
   std::vector<std::optional<double>> values;
+  std::optional<double> seconds = {};  // what it cost, where that differs from the level's
 };
 
 struct BenchProblem {

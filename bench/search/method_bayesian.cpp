@@ -3,6 +3,7 @@
 #include "as_bayesian.hpp"
 #include "methods.hpp"
 #include "parapet/bayesian/search.hpp"
+#include "processor_seconds.hpp"
 
 namespace parapet::bench::search {
 Run bayesian_search(const BenchProblem& problem, bool all_levels, std::uint64_t seed, int budget,
@@ -14,13 +15,17 @@ Run bayesian_search(const BenchProblem& problem, bool all_levels, std::uint64_t 
   bayesian::Search search(as_bayesian(problem, all_levels), options);
   Run run;
   run.seed = seed;
-  while (const std::optional<bayesian::Suggestion> suggestion = search.ask()) {
+  for (;;) {
+    const double begin = processor_seconds();
+    const std::optional<bayesian::Suggestion> suggestion = search.ask();
+    run.own_seconds += processor_seconds() - begin;
+    if (!suggestion) return run;
     const bayesian::Observation observation = observe(problem, suggestion->x, suggestion->level);
     run.steps.push_back({suggestion->x, suggestion->level, observation.seconds});
+    const double told = processor_seconds();
     search.tell(suggestion->id, observation);
+    run.own_seconds += processor_seconds() - told;
   }
-  run.own_seconds = search.own_seconds();
-  return run;
 }
 
 }  // namespace parapet::bench::search

@@ -23,7 +23,7 @@ struct Step {
 struct Run {
   std::uint64_t seed = 0;
   std::vector<Step> steps;
-  double own_seconds = 0.0;  // the method's own time
+  double own_seconds = 0.0;  // the method's own processor time; Parapet's alone
 };
 
 // Counts evaluations. A design that is asked for again costs nothing, one that the cheap

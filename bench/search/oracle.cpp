@@ -106,18 +106,18 @@ Oracle fit_oracle(const std::string& name, const std::vector<std::string>& varia
   oracle.variables = variables;
   oracle.lower = lower;
   oracle.upper = upper;
-  std::vector<double> wall_times;
+  std::vector<double> cpu_times;
   std::vector<const TableRow*> good;
   for (const TableRow& row : rows) {
     if (row.ok) {
       good.push_back(&row);
-      wall_times.push_back(row.wall_time);
+      cpu_times.push_back(row.cpu_time);
     } else {
       oracle.failed.push_back(row.u);
     }
   }
   if (good.empty()) throw std::invalid_argument("no simulation of the table came to an end");
-  oracle.median_wall_time = median(wall_times);
+  oracle.median_cpu_time = median(cpu_times);
   const auto n = static_cast<Eigen::Index>(good.size());
   oracle.designs.resize(n, static_cast<Eigen::Index>(variables.size()));
   for (Eigen::Index i = 0; i < n; ++i) {

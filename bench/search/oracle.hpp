@@ -19,7 +19,7 @@ struct TableRow {
   bool ok = false;
   std::map<std::string, std::optional<double>>
       metrics;             // no value: nothing overflowed, for example
-  double wall_time = 0.0;  // [s]
+  double cpu_time = 0.0;  // [s]
 };
 
 // What is known of one metric.
@@ -35,7 +35,7 @@ struct Oracle {
   std::string name;
   std::vector<std::string> variables;
   std::vector<double> lower, upper;  // [d]
-  double median_wall_time = 0.0;     // of one simulation [s]
+  double median_cpu_time = 0.0;     // of one simulation [s]
   Eigen::MatrixXd designs;           // [n, d] of the simulations that came to an end
   std::vector<std::vector<double>> failed;
   std::map<std::string, MetricSurface> metrics;

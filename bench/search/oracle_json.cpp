@@ -78,7 +78,7 @@ Json to_json(const Oracle& oracle) {
                {"lower", oracle.lower},
                {"upper", oracle.upper},
                {"simulations", static_cast<std::size_t>(oracle.designs.rows())},
-               {"median_wall_time_s", rounded(oracle.median_wall_time, 4)}};
+               {"median_cpu_time_s", rounded(oracle.median_cpu_time, 4)}};
   json["metrics"] = Json::object();
   for (const auto& [name, metric] : oracle.metrics) json["metrics"][name] = metric_json(metric);
   json["designs"] = Json::array();
@@ -98,7 +98,7 @@ Oracle oracle_from_json(const Json& json) {
   oracle.variables = json.at("variables").get<std::vector<std::string>>();
   oracle.lower = json.at("lower").get<std::vector<double>>();
   oracle.upper = json.at("upper").get<std::vector<double>>();
-  oracle.median_wall_time = json.at("median_wall_time_s");
+  oracle.median_cpu_time = json.at("median_cpu_time_s");
   for (const auto& [name, metric] : json.at("metrics").items()) {
     oracle.metrics.emplace(name, metric_of(metric));
   }

@@ -95,7 +95,7 @@ std::string overhead_section(const Json& overhead) {
                     fmt::format("{:.1f}", own), fmt::format("{:.0f}", simulated),
                     fmt::format("{:.1f} %", 100.0 * own / simulated)});
   }
-  return "## What the search itself costs\n\n" + markdown_table(rows) + "\n";
+  return "## What the search itself costs\n\nProcessor time.\n\n" + markdown_table(rows) + "\n";
 }
 
 std::string zoo_section(const Json& zoo) {

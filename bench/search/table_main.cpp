@@ -1,7 +1,7 @@
 // bench_search_table STUDY.json IN.jsonl OUT.json METRIC...
 //
 // Fits the oracle: IN has one simulation a line, as `parapet evaluate` prints it (or the short form
-// {"design", "ok", "metrics", "wall_time_s"}); OUT is the table that the comparison reads.
+// {"design", "ok", "metrics", "cpu_time_s"}); OUT is the table that the comparison reads.
 //
 // bench_search_table STUDY.json --designs N SEED
 //
@@ -33,8 +33,8 @@ TableRow read_row(const Json& json, const StudyPart& study) {
       if (value.is_number()) row.metrics[key] = value.get<double>();
     }
   }
-  const auto wall_time = json.find("wall_time_s");
-  if (wall_time != json.end() && wall_time->is_number()) row.wall_time = *wall_time;
+  const auto cpu_time = json.find("cpu_time_s");
+  if (cpu_time != json.end() && cpu_time->is_number()) row.cpu_time = *cpu_time;
   return row;
 }
 
@@ -58,7 +58,7 @@ std::vector<TableRow> read_rows(const std::string& file, const StudyPart& study)
 
 void print_fit(const Oracle& oracle) {
   fmt::print("{}: {} simulations, {} failed, {:.3g} s each (median)\n", oracle.name,
-             oracle.designs.rows(), oracle.failed.size(), oracle.median_wall_time);
+             oracle.designs.rows(), oracle.failed.size(), oracle.median_cpu_time);
   for (const auto& [name, m] : oracle.metrics) {
     fmt::print("  {:<30} leave-one-out {:.4g} (Q2 {:.4f}), of it noise {:.4g}", name,
                m.fit.leave_one_out_rms, m.fit.q_squared, m.fit.noise);

@@ -120,7 +120,7 @@ std::vector<TableRow> rows(int n) {
     TableRow row;
     row.u = points.next();
     row.ok = row.u[0] + row.u[1] < 1.8;
-    row.wall_time = 1.0 + i;
+    row.cpu_time = 1.0 + i;
     if (row.ok) row.metrics["retention_efficiency"] = std::min(1.0, 0.6 + 0.8 * row.u[1]);
     if (row.ok && row.u[0] > 0.5) row.metrics["launch_length_m"] = row.u[0] * row.u[0];
     all.push_back(row);
@@ -162,7 +162,7 @@ TEST(Oracle, SurvivesTheFile) {
   const Oracle copy = oracle_from_json(nlohmann::ordered_json::parse(to_json(oracle).dump()));
   EXPECT_EQ(copy.variables, oracle.variables);
   EXPECT_EQ(copy.failed, oracle.failed);
-  EXPECT_EQ(copy.median_wall_time, oracle.median_wall_time);
+  EXPECT_EQ(copy.median_cpu_time, oracle.median_cpu_time);
   for (const std::vector<double>& x : {std::vector{1.3, 12.0}, std::vector{1.1, 18.0}}) {
     for (const char* metric : {"retention_efficiency", "launch_length_m"}) {
       EXPECT_NEAR(*copy.smooth(metric, x), *oracle.smooth(metric, x), 1e-5) << metric;

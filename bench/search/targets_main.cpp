@@ -1,10 +1,14 @@
-// bench_search_targets LIST.json PROBLEM SPACINGS SEEDS EVALUATIONS PARTICLE_STEPS RULE OUT.json
+// bench_search_targets LIST.json PROBLEM SPACINGS SEEDS EVALUATIONS FINEST_RUNS RULE OUT.json
+//                      [PROGRAM STORE.jsonl LATTICES]
 //
-// The Bayesian search on an emulated study with the fidelity levels SPACINGS ("0.005,0.01", finest
-// first): what it spends, in particle-steps, and the hypervolume of the front that it ends with,
-// each design of it judged by the emulator of the finest level without scatter, as if simulated
-// again there many times. The search ends with EVALUATIONS or PARTICLE_STEPS (0: no limit). RULE
-// says what the front is:
+// The Bayesian search on a study with the fidelity levels SPACINGS ("0.005,0.01", finest first):
+// what it spends, in particle-steps, and the hypervolume of the front that it ends with. An
+// emulator answers, and each design of the front is judged by it at the finest level without
+// scatter, as if simulated again there many times; or PROGRAM, `parapet`, answers, its runs are
+// kept in STORE.jsonl, and each design of the front is simulated again at the finest level with
+// LATTICES other lattices, whose mean counts. The search ends with EVALUATIONS or with the
+// particle-steps of FINEST_RUNS (0: no limit). SEEDS: their number, or "4-6" (parts of a study side
+// by side; a last call then finds all runs in the store). RULE says what the front is:
 //   observed   the feasible designs observed at the finest level
 //   estimated  designs known at any level, by the surrogates' medians at the finest one
 // Uses of parapet::bayesian only what revision 1c5eedf has too: bench/search/targets builds it
@@ -13,27 +17,20 @@
 
 #include <exception>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "as_bayesian.hpp"
-#include "emulator.hpp"
 #include "median.hpp"
 #include "parapet/bayesian/search.hpp"
-#include "parapet/designs/study_spec.hpp"
 #include "parapet/math/pareto.hpp"
-#include "study_part.hpp"
+#include "target_problem.hpp"
 
 namespace parapet::bench::search {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct TargetProblem {
-  BenchProblem problem;
-  Eigen::VectorXd reference;  // [n_objectives], minimised
-};
 
 std::vector<double> numbers(const std::string& text) {
   std::vector<double> result;
@@ -42,91 +39,11 @@ std::vector<double> numbers(const std::string& text) {
   return result;
 }
 
-void add_objective(BenchProblem& problem, const Json& json) {
-  BenchObjective objective;
-  objective.maximize = json.at("goal") == "maximize";
-  if (json.contains("value_when_absent")) objective.value_when_absent = json["value_when_absent"];
-  if (json.contains("metric")) {
-    const std::string name = json.at("metric");
-    objective.metric = static_cast<std::size_t>(
-        std::find_if(problem.metrics.begin(), problem.metrics.end(),
-                     [&](const BenchMetric& m) { return m.name == name; }) -
-        problem.metrics.begin());
-  } else {
-    objective.metric = problem.metrics.size();
-    const std::string expression = json.at("expression");
-    problem.metrics.push_back(
-        {json.at("name"), [expression, variables = problem.variables](const Design& x) {
-           designs::Design design;
-           for (std::size_t j = 0; j < x.size(); ++j) design[variables[j]] = x[j];
-           return designs::evaluate_expression(expression, design);
-         }});
-  }
-  problem.objectives.push_back(objective);
-}
-
-// Retention and launch length are what the studies need.
-TargetProblem load_target(const std::filesystem::path& list, const std::string& name,
-                          const std::vector<double>& spacings) {
-  std::ifstream in(list);
-  if (!in) throw std::invalid_argument("cannot read " + list.string());
-  const Json problems = Json::parse(in).at("problems");
-  const auto found = std::find_if(problems.begin(), problems.end(),
-                                  [&](const Json& one) { return one.at("name") == name; });
-  if (found == problems.end()) throw std::invalid_argument("there is no problem " + name);
-  const Json& json = *found;
-  const StudyPart study =
-      read_study_part(list.parent_path() / (json.at("study").get<std::string>() + ".json"));
-  TargetProblem target;
-  BenchProblem& problem = target.problem;
-  problem.name = name;
-  problem.variables = study.variables;
-  problem.lower = study.lower;
-  problem.upper = study.upper;
-  problem.cheap_constraints = cheap_constraints(study.variables, study.limits);
-  const auto metrics = json.at("metrics").get<std::vector<std::string>>();
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (std::size_t m = 0; m < metrics.size(); ++m) {
-    problem.metrics.push_back({metrics[m], nullptr, 0.0, m == 0 ? 1.0 : infinity});
-  }
-  const auto emulator = std::make_shared<Emulator>(
-      list.parent_path().parent_path() / "tables" / json.at("runs").get<std::string>(),
-      study.variables, study.lower, study.upper, metrics, json.at("overflow_metric"), spacings);
-  fmt::print("  {}: {}\n", name, emulator->summary());
-  problem.level_seconds.clear();
-  for (std::size_t level = 0; level < spacings.size(); ++level) {
-    problem.level_seconds.push_back(emulator->particle_steps(level));
-  }
-  for (const Json& objective : json.at("objectives")) add_objective(problem, objective);
-  for (const Json& limit : json.at("limits")) {
-    const auto place = std::find(metrics.begin(), metrics.end(), limit.at("metric"));
-    problem.limits.push_back({static_cast<std::size_t>(place - metrics.begin()), -infinity,
-                              limit.at("upper"), limit.at("upper")});
-  }
-  const auto answer = [metrics = problem.metrics, emulator](const Design& x, std::size_t level,
-                                                            bool scatter) {
-    Answer result{true, {}};
-    for (const BenchMetric& m : metrics) {
-      if (m.exact) {
-        result.values.emplace_back(m.exact(x));
-      } else {
-        result.values.push_back(scatter ? emulator->noisy(m.name, x, level)
-                                        : emulator->smooth(m.name, x, level));
-      }
-    }
-    return result;
-  };
-  problem.evaluate = [answer](const Design& x, int level) {
-    return answer(x, static_cast<std::size_t>(level), true);
-  };
-  problem.truth = [answer](const Design& x) { return answer(x, 0, false); };
-  const auto reference = json.at("reference").get<std::vector<double>>();
-  target.reference.resize(static_cast<Eigen::Index>(reference.size()));
-  for (std::size_t j = 0; j < reference.size(); ++j) {
-    const bool maximize = problem.objectives[j].maximize;
-    target.reference[static_cast<Eigen::Index>(j)] = maximize ? -reference[j] : reference[j];
-  }
-  return target;
+// "10": 1 to 10; "4-6".
+std::pair<int, int> seeds_of(const std::string& text) {
+  const std::size_t dash = text.find('-');
+  if (dash == std::string::npos) return {1, std::stoi(text)};
+  return {std::stoi(text.substr(0, dash)), std::stoi(text.substr(dash + 1))};
 }
 
 std::vector<double> to_user(const BenchProblem& problem, const Eigen::VectorXd& y) {
@@ -169,14 +86,15 @@ struct Outcome {
   double particle_steps = 0.0, hypervolume = 0.0;
   std::vector<int> runs;  // [n_levels]
   std::size_t front = 0;
+  std::vector<Eigen::VectorXd> judged;  // [n_feasible] of [n_objectives], minimised
 };
 
-Outcome run_once(const TargetProblem& target, std::uint64_t seed, int evaluations, double steps,
-                 bool estimated) {
+Outcome run_once(const TargetProblem& target, std::uint64_t seed, int evaluations,
+                 double finest_runs, bool estimated) {
   const BenchProblem& problem = target.problem;
   bayesian::SearchOptions options;
   options.max_evaluations = evaluations;
-  options.max_seconds = steps;
+  options.max_finest = finest_runs;
   options.seed = seed;
   bayesian::Problem asked = as_bayesian(problem, true);
   for (std::size_t j = 0; j < asked.objectives.size(); ++j) {
@@ -190,32 +108,37 @@ Outcome run_once(const TargetProblem& target, std::uint64_t seed, int evaluation
     ++outcome.runs[static_cast<std::size_t>(suggestion->level)];
   }
   outcome.particle_steps = search.seconds();
-  std::vector<Eigen::VectorXd> points;
   for (const Design& x : front_of(problem, search, estimated)) {
     ++outcome.front;
     const Verdict verdict = judge(problem, problem.truth(x));
-    if (verdict.feasible) points.push_back(verdict.objectives);
+    if (verdict.feasible) outcome.judged.push_back(verdict.objectives);
   }
-  outcome.hypervolume = math::hypervolume(points, target.reference);
+  outcome.hypervolume = math::hypervolume(outcome.judged, target.reference);
   return outcome;
 }
 
 void run(const std::vector<std::string>& a) {
-  const TargetProblem target = load_target(a[0], a[1], numbers(a[2]));
-  const int seeds = std::stoi(a[3]), evaluations = std::stoi(a[4]);
-  const double steps = std::stod(a[5]);
+  AnswerSource source;
+  if (a.size() > 8) source = {a[8], a[9], std::stoi(a[10])};
+  const TargetProblem target = load_target(a[0], a[1], numbers(a[2]), source);
+  const auto [first, last] = seeds_of(a[3]);
+  const int evaluations = std::stoi(a[4]);
+  const double finest_runs = std::stod(a[5]);
   Json rows = Json::array();
   std::vector<double> volumes, costs;
-  for (int k = 1; k <= seeds; ++k) {
-    const Outcome o =
-        run_once(target, static_cast<std::uint64_t>(k), evaluations, steps, a[6] == "estimated");
+  for (int k = first; k <= last; ++k) {
+    const Outcome o = run_once(target, static_cast<std::uint64_t>(k), evaluations, finest_runs,
+                               a[6] == "estimated");
     volumes.push_back(o.hypervolume);
     costs.push_back(o.particle_steps);
+    Json judged = Json::array();
+    for (const Eigen::VectorXd& y : o.judged) judged.push_back(to_user(target.problem, y));
     rows.push_back({{"seed", k},
                     {"particle_steps", o.particle_steps},
                     {"hypervolume", o.hypervolume},
                     {"runs", o.runs},
-                    {"front", o.front}});
+                    {"front", o.front},
+                    {"judged", judged}});
     fmt::print("  {} seed {}: {:.3g} particle-steps, runs {}, front {}, hypervolume {:.5f}\n", a[1],
                k, o.particle_steps, Json(o.runs).dump(), o.front, o.hypervolume);
     std::fflush(stdout);
@@ -233,10 +156,10 @@ void run(const std::vector<std::string>& a) {
 }  // namespace parapet::bench::search
 
 int main(int argc, char** argv) {
-  if (argc != 9) {
+  if (argc != 9 && argc != 12) {
     fmt::print(stderr,
                "usage: bench_search_targets LIST.json PROBLEM SPACINGS SEEDS EVALUATIONS "
-               "PARTICLE_STEPS observed|estimated OUT.json\n");
+               "FINEST_RUNS observed|estimated OUT.json [PROGRAM STORE.jsonl LATTICES]\n");
     return 2;
   }
   try {

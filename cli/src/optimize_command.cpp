@@ -10,6 +10,7 @@
 #include "parapet/records/output_folder.hpp"
 #include "parapet/study/design_run.hpp"
 #include "parapet/study/study_run.hpp"
+#include "parapet/study/undisturbed.hpp"
 #include "report_files.hpp"
 #include "run_monitor.hpp"
 #include "session.hpp"
@@ -151,8 +152,9 @@ void print_summary(const Session& session, const study::StudySummary& summary,
 }
 
 /// Records what the study asks for; false when it was interrupted.
-bool record_front(const Session& session, const OptimizeOptions& options,
-                  const designs::StudySpec& study, const std::filesystem::path& folder) {
+bool record_front(const Session& session, const OptimizeOptions& options, designs::StudySpec study,
+                  const std::filesystem::path& folder) {
+  study.undisturbed = study::read_undisturbed(folder, study);  // as in the runs that are logged
   const auto log = records::read_evaluation_log(folder / "evaluations.jsonl");
   std::vector<study::FlowToRecord> flows;
   for (const records::EvaluationRecord& record : study::designs_to_record(study, log.records)) {

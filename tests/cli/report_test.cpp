@@ -121,6 +121,8 @@ TEST(Report, AStudyRecordsWhatItAsksFor) {
     const std::string out = std::string("out-") + word;
     const Outcome outcome = run_program(folder.path(), {"optimize", "study.json", "--out", out});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    // the same simulation as the one that is logged
+    EXPECT_EQ(outcome.err.find("other numbers"), std::string::npos) << outcome.err;
     int recorded = 0;
     if (fs::exists(folder / out / "recordings")) {
       for ([[maybe_unused]] const auto& entry :
