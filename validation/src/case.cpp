@@ -70,7 +70,8 @@ void CaseRun::add_masses() {
        .value = 100.0 * masses_.deviation,
        .unit = "%",
        .upper = 4.0,
-       .reason = "shifting exchanges mass; what it drives apart is levelled out"});
+       .reason = "shifting exchanges mass; what it drives apart is levelled out",
+       .explanation = "levelling is as slow as it must be not to act as friction (theory)"});
   add({.key = "masses_least", .what = "lightest particle over the mean", .value = masses_.least});
   add({.key = "masses_largest",
        .what = "heaviest particle over the mean",

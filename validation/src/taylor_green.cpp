@@ -222,14 +222,29 @@ void add_contrast(CaseRun& run, const Vortices& v, const Decay& d, const std::st
   }
   run.add(rate);
   if (!is_lattice) return;
+  const auto between = [&](double from, double to) {
+    std::size_t first = 0, last = 0;
+    while (d.time[first] < from - 1e-9) ++first;
+    while (d.time[last] < to - 1e-9) ++last;
+    const double loss = std::log(d.energy[first] / d.energy[last]);
+    return 100.0 * (loss / (decay_rate(v.reynolds) * (to - from)) - 1.0);
+  };
   // as others state it: by the energy that is left at t = L/U
-  std::size_t one = 0;
-  while (d.time[one] < 1.0 - 1e-9) ++one;
   run.add({.key = fmt::format("loss_{}", key),
            .what = fmt::format("Re {}: the same from the energy at t = L/U alone, {}", v.reynolds,
                                in_words(v)),
-           .value = 100.0 * (-std::log(d.energy[one]) / decay_rate(v.reynolds) - 1.0),
+           .value = between(0.0, 1.0),
            .unit = "%"});
+  if (d.time.back() < 2.0 - 1e-9) return;
+  run.add({.key = fmt::format("early_{}", key),
+           .what = fmt::format("Re {}: the same until t = 0.3 L/U, {}", v.reynolds, in_words(v)),
+           .value = between(0.0, 0.3),
+           .unit = "%"});
+  run.add(
+      {.key = fmt::format("late_{}", key),
+       .what = fmt::format("Re {}: the same from t = L/U to 2 L/U, {}", v.reynolds, in_words(v)),
+       .value = between(1.0, 2.0),
+       .unit = "%"});
 }
 
 void add_rows(CaseRun& run, std::span<const Vortices> flows, std::span<const Decay> decays) {

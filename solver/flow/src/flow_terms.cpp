@@ -131,6 +131,9 @@ void Flow::update_pressure() {
     if (is_spray(fluid_.lambda[i]) && fluid_.pressure[i] < 0.0) {
       fluid_.pressure[i] = 0.0;
       fluid_.density[i] = std::max(fluid_.density[i], thinnest_spray * rho_0);
+    } else if (damps_sound_ && fluid_.pressure[i] < 0.0 && rows_.valid() &&
+               rows_.touches_wall(static_cast<int>(i))) {
+      fluid_.pressure[i] = 0.0;
     }
     fluid_.volume[i] = fluid_.mass[i] / fluid_.density[i];
   }

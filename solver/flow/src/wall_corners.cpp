@@ -100,13 +100,23 @@ std::vector<Convex> without(const Convex& polygon, const Convex& other) {
   return pieces;
 }
 
-void Patch::add(const Convex& polygon) {
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    const Vec2 a = polygon[0], b = polygon[k], c = polygon[k + 1];
-    const double triangle = 0.5 * cross(b - a, c - a);
-    area += triangle;
-    moment = moment + (triangle / 3.0) * (a + b + c);
+Patch patch_of(const std::vector<Convex>& polygons, const Face& face) {
+  Patch patch{{}, 0.0, 0.0};
+  Vec2 moment, origin;
+  for (const Convex& polygon : polygons) {
+    if (polygon.empty()) continue;
+    if (patch.area == 0.0) origin = polygon[0];
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+      const Vec2 a = polygon[0] - origin, b = polygon[k] - origin, c = polygon[k + 1] - origin;
+      const double triangle = 0.5 * cross(b - a, c - a);
+      patch.area += triangle;
+      moment = moment + (triangle / 3.0) * (a + b + c);
+    }
   }
+  if (patch.area <= 0.0) return patch;
+  patch.center = origin + (1.0 / patch.area) * moment;
+  patch.depth = dot(face.a - patch.center, face.normal);
+  return patch;
 }
 
 }  // namespace parapet::solver

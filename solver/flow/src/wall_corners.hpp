@@ -36,12 +36,14 @@ Convex cut(const Convex& polygon, Vec2 on_line, Vec2 direction);
 // A polygon without what lies in another one, as convex pieces.
 std::vector<Convex> without(const Convex& polygon, const Convex& other);
 
-// An area and its centre.
+// What a wall point stands for.
 struct Patch {
-  double area = 0.0;  // [m2]
-  Vec2 moment;        // area times centre [m3]
-  Vec2 center() const { return (1.0 / area) * moment; }
-  void add(const Convex& polygon);
+  Vec2 center;
+  double area;   // [m2]
+  double depth;  // of the centre behind the face that the point belongs to [m]
 };
+
+// Of several polygons together; the area may be zero.
+Patch patch_of(const std::vector<Convex>& polygons, const Face& face);
 
 }  // namespace parapet::solver

@@ -169,9 +169,12 @@ void Layout::add_cell(int f, const Station& station, int layer) {
     }
     parts = std::move(split);
   }
+  const double whole = station.width * spacing_, middle = (layer + 0.5) * spacing_;
   for (const std::vector<Convex>& part : parts) {
-    Patch patch;
-    for (const Convex& piece : part) patch.add(piece);
+    Patch patch = patch_of(part, own);
+    if (std::abs(patch.area - whole) < 1e-9 * whole) {  // to the last bit wherever nothing is cut
+      patch = {own.a + station.s * own.tangent - middle * own.normal, whole, middle};
+    }
     if (patch.area > 1e-6 * spacing_ * spacing_) patches_[at(f)].push_back(patch);
   }
 }
@@ -186,9 +189,9 @@ void Layout::add_led(int f) {
     if (!met || !met->leads) continue;
     const Convex grid = grid_for(f, end);
     for (const Patch& patch : patches_[at(met->face)]) {
-      const Vec2 center = patch.center();
-      if (dot(center - own.a, behind(f)) <= 0.0 ||
-          distance_to_segment(own.a, own.b, center) > past_ + spacing_) {
+      const Vec2 center = patch.center;
+      const double depth = dot(own.a - center, own.normal);
+      if (depth <= 0.0 || distance_to_segment(own.a, own.b, center) > past_ + spacing_) {
         continue;
       }
       const auto in = [&](const Convex& other) {
@@ -198,7 +201,8 @@ void Layout::add_led(int f) {
         }
         return true;
       };
-      if (in(grid) && (had.empty() || !in(had.front()))) patches_[at(f)].push_back(patch);
+      if (in(grid) && (had.empty() || !in(had.front())))
+        patches_[at(f)].push_back({center, patch.area, depth});
     }
     had.push_back(grid);
   }
@@ -210,15 +214,14 @@ WallPoints Layout::points() const {
   for (std::size_t f = 0; f < patches_.size(); ++f) {
     const Face& own = solids_.faces[f];
     for (const Patch& patch : patches_[f]) {
-      const Vec2 p = patch.center();
-      points.push_back({.x = p.x,
-                        .z = p.z,
+      points.push_back({.x = patch.center.x,
+                        .z = patch.center.z,
                         .volume = patch.area,
                         .u = own.velocity.x,
                         .w = own.velocity.z,
                         .normal_x = own.normal.x,
                         .normal_z = own.normal.z,
-                        .depth = dot(own.a - p, own.normal)});
+                        .depth = patch.depth});
       owners.push_back(static_cast<int>(f));
     }
   }
