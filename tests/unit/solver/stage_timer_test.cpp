@@ -159,7 +159,7 @@ TEST(Profile, SaysWhatCameAfterTheLastChangeOfAMetric) {
   Numerics numerics;
   numerics.spacing = 0.02;
   RunOptions options;
-  options.stop_time = 4.0;
+  options.stop_time = 3.0;
   options.settled.enabled = false;
   options.profile = true;
   const Result whole = simulate(scene, numerics, options);
@@ -168,7 +168,7 @@ TEST(Profile, SaysWhatCameAfterTheLastChangeOfAMetric) {
   ASSERT_EQ(ended.stop_reason, StopReason::metrics_final);
   EXPECT_GT(whole.profile->steps_after_last_change, ended.profile->steps_after_last_change);
   EXPECT_GT(whole.profile->rest_share, ended.profile->rest_share);
-  // at its end a run has waited for an eighth of its time, or 0.25 s
+  // at its end a run has waited for a sixteenth of its time, or 0.125 s
   EXPECT_GT(ended.profile->steps_after_last_change, 0.1);
 }
 

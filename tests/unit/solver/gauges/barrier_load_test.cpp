@@ -138,12 +138,16 @@ TEST(BarrierLoad, OfOneParticleIsTheMomentumItLoses) {
   ASSERT_LT(f.u[0], 0.5 * speed) << "the stem has stopped it";
   const BarrierLoad load = gauge.read().front();
   const double lost_x = mass * (speed - f.u[0]), lost_z = -mass * f.w[0];
-  EXPECT_NEAR(load.force.x * stem.flow.time(), lost_x, 1e-12 * mass * speed);
-  EXPECT_NEAR(load.force.z * stem.flow.time(), lost_z, 1e-12 * mass * speed);
+  // Pairs are picked at every second step, and a wall point may see the particle one step before
+  // the particle sees it: at the edge of the support, where the force is 1e-4 of its largest and
+  // the wall has the pressure 0 yet. Measured: 1.2e-10.
+  constexpr double unseen = 1e-9;
+  EXPECT_NEAR(load.force.x * stem.flow.time(), lost_x, unseen * mass * speed);
+  EXPECT_NEAR(load.force.z * stem.flow.time(), lost_z, unseen * mass * speed);
   // About the foot, positive downstream: z p_x - (x - 1) p_z. It flies at half the stem's height.
   const double before = height * mass * speed;
   const double after = mass * (f.z[0] * f.u[0] - (f.x[0] - 1.0) * f.w[0]);
-  EXPECT_NEAR(load.moment * stem.flow.time(), before - after, 1e-12 * before);
+  EXPECT_NEAR(load.moment * stem.flow.time(), before - after, unseen * before);
   EXPECT_NEAR(load.moment / load.force.x, height, 1e-3);
 }
 
@@ -185,9 +189,9 @@ TEST(BarrierLoad, ClosesTheMomentumBalanceOfTheWholeFlow) {
 }
 
 TEST(BarrierLoad, HoldsWhatTheContactRuleTakes) {
-  // fast enough to get through the pressure of the wall points to the face itself
+  // so near that it reaches the face before the pressure of the wall points has turned it
   constexpr double mass = 0.1, speed = 15.0, height = 0.25;
-  Stem stem({{0.97, height, speed, 3.0, 1000.0, mass}});
+  Stem stem({{0.998, height, speed, 3.0, 1000.0, mass}});
   double force = 0.0, moment = 0.0;
   while (stem.flow.statistics().wall_contacts == 0) {
     ASSERT_FALSE(stem.flow.step(0.001));
