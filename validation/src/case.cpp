@@ -66,12 +66,13 @@ void CaseRun::watch_masses(const solver::Flow& flow) const {
 void CaseRun::add_masses() {
   if (!masses_.seen) return;
   add({.key = "masses_deviation",
-       .what = "standard deviation of the particles' masses, worst flow and time",
+       .what = "standard deviation of the particles' masses, worst of all flows and times",
        .value = 100.0 * masses_.deviation,
        .unit = "%",
        .upper = 4.0,
        .reason = "shifting exchanges mass; what it drives apart is levelled out",
-       .explanation = "levelling is as slow as it must be not to act as friction (theory)"});
+       .explanation = "in flows for comparison, such as thin fluids with the settings of debris; "
+                      "levelling is slow, so as not to act as friction"});
   add({.key = "masses_least", .what = "lightest particle over the mean", .value = masses_.least});
   add({.key = "masses_largest",
        .what = "heaviest particle over the mean",

@@ -63,9 +63,9 @@ void add_tank(CaseRun& run, const Tank& tank, const TankRun& r) {
     run.add(m);
   };
   const bool thin = tank.material.yield_stress == 0.0;
-  const char* shaken = "sound and eddies from the start, which nothing damps";
-  const char* still_why = "single particles beside the plates: packed particles are uneven, and "
-                          "debris keeps that; half as large at 5 mm";
+  const char* shaken = "eddies from the start, which nothing damps";
+  const char* still_why =
+      "packed particles are uneven, and debris keeps that; less at 5 mm (last tank)";
   Measure lasted{.key = key + "_lasted",
                  .what = fmt::format("{}: time that the flow could be computed", tank.name),
                  .value = r.lasted,
