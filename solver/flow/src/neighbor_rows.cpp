@@ -103,9 +103,13 @@ void NeighborRows::add_wall_neighbors(const Fluid& fluid, int i, const std::vect
         const double rx = p.x - q.x, rz = p.z - q.z;
         if (rx * rx + rz * rz >= limit) continue;
         const int owner = walls_.owner[at(k)];
-        const int seen =
-            faces.size() == 1 ? faces.front() : first_crossed(solids_.faces, faces, p, q);
-        if (seen == owner) out.push_back(k);
+        if (faces.size() == 1) {
+          if (faces.front() == owner) out.push_back(k);
+          continue;
+        }
+        // most points of other faces fail by their own face alone
+        if (!crossing(solids_.faces[at(owner)], p, q)) continue;
+        if (first_crossed(solids_.faces, faces, p, q) == owner) out.push_back(k);
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "parapet/flow/index.hpp"
 
@@ -15,14 +16,30 @@ double speed_squared(const Fluid& f, std::size_t i) {
 }  // namespace
 
 double front_position(const GaugeScene& g, const Fluid& f, double left_mass) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   double ahead = left_mass;
   const double share = g.settings.front_mass_share * g.released_mass;
   if (ahead >= share) return g.scene->domain_length;
+  if (f.n == 0) return 0.0;
   struct Parcel {
     double x, mass;
   };
-  std::vector<Parcel> parcels(at(f.n));
-  for (std::size_t i = 0; i < parcels.size(); ++i) parcels[i] = {f.x[i], f.mass[i]};
+  std::vector<Parcel> parcels;
+  double collected = 0.0;  // mass
+  const auto collect_from = [&](double x) {
+    parcels.clear();
+    collected = 0.0;
+    for (std::size_t i = 0; i < at(f.n); ++i) {
+      if (f.x[i] < x) continue;
+      parcels.push_back({f.x[i], f.mass[i]});
+      collected += f.mass[i];
+    }
+  };
+  // mostly those near the foremost one are enough; beyond rounding, or else all are taken
+  constexpr double near = 10.0, rounding = 1e-9;
+  const double foremost = *std::max_element(f.x.begin(), f.x.begin() + f.n);
+  collect_from(foremost - near * g.spacing);
+  if (ahead + collected < (1.0 + rounding) * share) collect_from(-infinity);
   const auto farther = [](const Parcel& a, const Parcel& b) {
     return a.x > b.x || (a.x == b.x && a.mass > b.mass);
   };
