@@ -18,7 +18,7 @@ struct TableRow {
   std::vector<double> u;  // [d] in the unit cube
   bool ok = false;
   std::map<std::string, std::optional<double>>
-      metrics;             // no value: nothing overflowed, for example
+      metrics;            // no value: nothing overflowed, for example
   double cpu_time = 0.0;  // [s]
 };
 
@@ -35,7 +35,7 @@ struct Oracle {
   std::string name;
   std::vector<std::string> variables;
   std::vector<double> lower, upper;  // [d]
-  double median_cpu_time = 0.0;     // of one simulation [s]
+  double median_cpu_time = 0.0;      // of one simulation [s]
   Eigen::MatrixXd designs;           // [n, d] of the simulations that came to an end
   std::vector<std::vector<double>> failed;
   std::map<std::string, MetricSurface> metrics;
