@@ -98,8 +98,9 @@ def main():
     budget = budget or oracle.problem["budget"]
     runs = [run(name, seed, budget, oracle) for seed in range(1, seeds + 1)]
     method = f"optuna_{name}"
+    label = LABELS[name] + (f", {seeds} runs" if name == "tpe" else "")
     with open(out, "w", encoding="utf-8") as file:
-        json.dump({"method": method, "label": LABELS[name], "family": method, "runs": runs}, file)
+        json.dump({"method": method, "label": label, "family": method, "runs": runs}, file)
 
 
 if __name__ == "__main__":

@@ -45,8 +45,11 @@ std::string introduction(const Comparison& comparison) {
                     o.maximize ? "most" : "least", p.metrics[o.metric].name, o.maximize ? -at : at);
   }
   const std::size_t runs = comparison.scores.empty() ? 0 : comparison.scores.front().curves.size();
-  return fmt::format("{} variables; {}; {:.2g} s a simulation; {} runs of every method.\n",
-                     p.dimension(), objectives, p.level_seconds.front(), runs);
+  return fmt::format(
+      "{} variables; {}; {:.2g} s of processor time a simulation; {} runs of each method unless "
+      "its "
+      "name says otherwise.\n",
+      p.dimension(), objectives, p.level_seconds.front(), runs);
 }
 
 std::string problem_section(const Comparison& comparison, const std::vector<std::string>& figures) {
