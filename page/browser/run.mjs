@@ -177,8 +177,8 @@ test('studies: a drawing names its own study and hash', async () => {
 });
 
 test('study: warnings are those of the log, beside each design and apart in the front', async () => {
-  const { page, close } = await visit(join(folder, 'dual/report.html'));
-  const log = lines('dual/evaluations.jsonl').filter((one) => one.status !== 'refused');
+  const { page, close } = await visit(join(folder, 'robust/report.html'));
+  const log = lines('robust/evaluations.jsonl').filter((one) => one.status !== 'refused');
   const data = await page.evaluate(() => JSON.parse(document.getElementById('page-data').textContent));
   log.forEach((one, row) => {
     for (const { text } of one.warnings ?? []) assert.ok(data.designs.warnings[row].includes(text), `${one.id}: ${text}`);
