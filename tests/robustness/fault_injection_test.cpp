@@ -80,6 +80,15 @@ class FaultInjection : public ::testing::TestWithParam<Fault> {
     {
       const auto faulty = shim(at, out);
       const Outcome outcome = run_program(folder_.path(), study_.command(out_path(out)));
+      // Some files are written by the clock, so that a faster run makes fewer calls than the one
+      // that counted them: then its own last call is tried.
+      const int made = std::stoi(file_text(folder_ / "count"));
+      if (outcome.exit_code == 0 && made < at) {
+        std::filesystem::remove_all(folder_ / out);
+        ASSERT_GT(made, 0);
+        try_place(made);
+        return;
+      }
       if (std::string(GetParam().kind) == "kill") {
         ASSERT_EQ(outcome.exit_code, 128 + SIGKILL);
       } else {
